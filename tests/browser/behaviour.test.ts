@@ -338,6 +338,25 @@ test('keys of a slider count as fast as they come; what they broke leads back to
   expect(apart(await receiver.script.positions(), before)).toBeLessThan(1e-6);
 });
 
+test('that no length of edges is enough stands until something is changed', async () => {
+  await script.open({ recipe: 'vault:vertices=100' });
+  await script.settled();
+  const { vertex, target } = (await visit.page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await script.move(vertex, [target[0], target[1], target[2] + 1000]);
+  await script.settled();
+  const notice = visit.page.locator('.stuck-notice');
+  await notice.getByRole('button', { name: 'Let edges grow' }).click();
+  await notice.getByText('No length').waitFor();
+  // Whatever leaves the net alone.
+  await visit.page.locator('canvas').first().press('5');
+  await drawn(visit.page);
+  await script.settled();
+  expect(await notice.getByText('No length').isVisible()).toBe(true);
+  await script.move(vertex, [target[0], target[1], target[2] + 900]);
+  await script.settled();
+  await notice.getByText(/out of reach/).waitFor();
+});
+
 test('quads that want to be square become so, and undo takes that back', async () => {
   await script.open({ obj: rhombi(6, 60), name: 'rhombi.obj' });
   await script.settled();

@@ -7,7 +7,7 @@ import type { ChebnetError } from '../../wasm/chebnet';
 import { load } from '../wasm/load';
 import { distance, dragBy, largestDeviation, largestError } from './geometry';
 import type { Script, Visit } from './page';
-import { MOVING, OUTPUT, README_PICTURE, drawn, visits } from './page';
+import { MOVING, OUTPUT, README_PICTURE, allSections, drawn, visits } from './page';
 
 declare global {
   interface Window {
@@ -23,7 +23,7 @@ const { edges, restPositions, suggestedHandles } = reference;
 const { meanLength } = reference.info;
 const dragged = suggestedHandles.at(-1)!;
 
-const { arrive, share } = visits();
+const { address, arrive, open, share } = visits();
 let visit: Visit;
 let script: Script;
 beforeEach(async () => {
@@ -80,6 +80,18 @@ test('every shape has its picture, and a relaxed one can be dragged', async () =
   await dragBy(script, handles.at(-1)!.vertex, [40, -30]);
   await script.settled();
   expect((await script.stats()).maxDeviation).toBeLessThan(1e-6);
+});
+
+test('sections that could not be loaded come with the next net', async () => {
+  const { page, script: own, complaints } = await open('licences.txt');
+  let isCutOff = true;
+  await page.route(/late_sections-[^/]*\.js$/, (route) => (isCutOff ? route.abort('aborted') : route.continue()));
+  await page.goto(address());
+  await page.getByText('This part of the page could not be loaded').waitFor();
+  complaints.length = 0;
+  isCutOff = false;
+  await own.open({ recipe: SHAPE });
+  await allSections(page);
 });
 
 test('the first net can be looked at', async () => {
@@ -404,6 +416,29 @@ describe('on a vault', () => {
     await script.settled();
     expect(distance(await script.position(dragged), before)).toBeLessThan(1e-9);
     expect((await script.stats()).status).toBe('converged');
+  });
+
+  test('no menu opens in a drag, and one whose release the page was not told of ends with the next move', async () => {
+    const { mouse } = visit.page;
+    const menus = await visit.page.evaluateHandle(() => {
+      const prevented: boolean[] = [];
+      addEventListener('contextmenu', (event) => prevented.push(event.defaultPrevented));
+      addEventListener('pointerup', (event) => event.stopImmediatePropagation(), { capture: true, once: true });
+      return prevented;
+    });
+    const pressRight = async () => {
+      await mouse.down({ button: 'right' });
+      await mouse.up({ button: 'right' });
+    };
+    await dragBy(script, dragged, [-70, -50], { atEnd: pressRight });
+    expect(await menus.jsonValue()).toEqual([true]);
+    const cursor = () => visit.page.locator('#view canvas').evaluate((canvas) => canvas.style.cursor);
+    expect(await cursor()).toBe('grabbing');
+    const { x, y } = await script.screenPosition(dragged);
+    await mouse.move(x - 40, y);
+    expect(await cursor()).not.toBe('grabbing');
+    await script.settled();
+    expect(Math.abs((await script.screenPosition(dragged)).x - x)).toBeLessThan(20);
   });
 
   test('undo takes back a whole drag, redo repeats it', async () => {

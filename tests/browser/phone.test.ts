@@ -4,7 +4,7 @@ import type { Page } from 'playwright-core';
 import { describe, expect, test } from 'vitest';
 import { en } from '../../web/src/language/en';
 import { zh } from '../../web/src/language/zh';
-import { drawn, OUTPUT, unfoldAll, visits } from './page';
+import { allSections, drawn, OUTPUT, unfoldAll, visits } from './page';
 
 const { arrive, share } = visits();
 
@@ -165,6 +165,16 @@ describe.each(SIZES)('%s', (name, viewport, isMobile) => {
     expect(await faults(page, '.sidebar')).toEqual([]);
   });
 
+  test('an iPhone need not magnify the page to have something written', async () => {
+    const { page } = await visit();
+    await unfoldAll(page);
+    const sizes = await page
+      .locator('select, input:not([type=checkbox], [type=range], [type=radio])')
+      .evaluateAll((all) => all.map((each) => Number.parseFloat(getComputedStyle(each).fontSize)));
+    expect(sizes.length).toBeGreaterThan(10);
+    if (isMobile) expect(Math.min(...sizes)).toBeGreaterThanOrEqual(16);
+  });
+
   test('a change is undone beside open controls', async () => {
     const { page, script } = await visit();
     await script.settled();
@@ -291,6 +301,24 @@ describe.each(SIZES)('%s', (name, viewport, isMobile) => {
     await picture(page, 'whole-surface');
     expect(await faults(page, 'dialog[open]')).toEqual([]);
   });
+});
+
+test('on its side a phone has nothing below its camera', async () => {
+  const { page } = await arrive('', { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true });
+  await allSections(page);
+  const session = await page.context().newCDPSession(page);
+  await session.send('Emulation.setSafeAreaInsetsOverride', { insets: { left: 47, right: 47, bottom: 21 } });
+  const sides = async (selector: string) => {
+    const { x, width } = (await page.locator(selector).first().boundingBox())!;
+    return [x, x + width] as const;
+  };
+  await expect.poll(async () => (await sides('.title h1'))[0]).toBeGreaterThanOrEqual(47);
+  expect((await sides('.sidebar'))[1]).toBeLessThanOrEqual(844 - 47);
+  await page.getByRole('button', { name: 'On a surface…' }).click();
+  await page.locator('dialog.drape .primary:not([disabled])').waitFor();
+  await page.screenshot({ path: join(OUTPUT, 'below-the-camera.png') });
+  const [left, right] = await sides('dialog.drape');
+  expect([left >= 47, right <= 844 - 47]).toEqual([true, true]);
 });
 
 /** Lower than wide, from a small phone on its side to a low window. */

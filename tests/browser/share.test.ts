@@ -68,6 +68,22 @@ test('where the clipboard is closed the link goes into the address bar, but only
   expect(new URL(page.url()).hash).toMatch(/^#v/);
 });
 
+test('a link that can neither be copied nor be put into the address bar says why', async () => {
+  const { page, script } = await arrive();
+  await script.settled();
+  await page.evaluate(() => {
+    navigator.clipboard.writeText = () => Promise.reject(new Error('closed'));
+    history.replaceState = () => {
+      throw new Error('too often');
+    };
+  });
+  await page.getByRole('button', { name: 'Share', exact: true }).click();
+  const dialog = page.getByRole('dialog', { name: 'Share' });
+  await dialog.getByText('The link is made').waitFor();
+  await dialog.getByRole('button', { name: 'Copy link' }).click();
+  await dialog.getByRole('status').getByText('too often').waitFor();
+});
+
 test('a link shows a net that was dragged from where its sender saw it, though nobody turned the camera', async () => {
   const sender = await share();
   await sender.script.settled();

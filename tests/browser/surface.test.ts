@@ -419,6 +419,29 @@ test.each([
   }
 });
 
+test('its picture has the pixels of the screen it comes to, and keeps nothing of the graphics card once it is closed', async () => {
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  const pictures = [visit.page.locator('#view canvas'), draper().locator('.picture canvas')];
+  const widths = () => Promise.all(pictures.map((each) => each.evaluate(({ width }: HTMLCanvasElement) => width)));
+  const before = await widths();
+  const session = await visit.page.context().newCDPSession(visit.page);
+  const screen = { width: 0, height: 0, deviceScaleFactor: 0.25, mobile: false };
+  await session.send('Emulation.setDeviceMetricsOverride', screen);
+  await expect.poll(widths).toEqual(before.map((width) => Math.floor(width / 2)));
+  await session.send('Emulation.clearDeviceMetricsOverride');
+  await session.detach();
+
+  const contexts = await Promise.all(
+    pictures.map((each) => each.evaluateHandle((canvas: HTMLCanvasElement) => canvas.getContext('webgl2')!)),
+  );
+  const areLost = () => Promise.all(contexts.map((each) => each.evaluate((context) => context.isContextLost())));
+  expect(await areLost()).toEqual([false, false]);
+  await press('Cancel');
+  await draper().waitFor({ state: 'detached' });
+  expect(await areLost()).toEqual([false, true]);
+});
+
 test('the surface may be in a file', async () => {
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();
   const chooser = visit.page.waitForEvent('filechooser');
@@ -1058,6 +1081,27 @@ test('a surface beside the net says how far the net is, in edges and units, and 
   await guide.getByRole('button', { name: 'Take it away' }).click();
   await guide.waitFor({ state: 'hidden' });
   await visit.page.getByRole('checkbox', { name: 'Snap to the surface' }).waitFor({ state: 'hidden' });
+});
+
+test('where its surface does not come, dragging is not said to snap to it', async () => {
+  const { page } = visit;
+  await page.evaluate(() => window.chebnet.drape({ own: 'shell' }, { cells: 200 }));
+  await page.getByRole('group', { name: 'Surface: shell' }).waitFor();
+  await page.evaluate(() => {
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (this: Worker, request: { type: string; id: number }) {
+      if (request.type !== 'guide') return postMessage.call(this, request);
+      const data = { id: request.id, type: 'error', code: 'internal', message: 'not today' };
+      queueMicrotask(() => this.onmessage?.(new MessageEvent('message', { data })));
+      Worker.prototype.postMessage = postMessage;
+    };
+  });
+  await page.locator('summary', { hasText: 'Dragging' }).click();
+  const snap = page.getByRole('checkbox', { name: 'Snap to the surface' });
+  await snap.click();
+  await page.getByRole('alert').getByText('not today').waitFor();
+  expect(await snap.isChecked()).toBe(false);
+  await snap.check();
 });
 
 test('a script describes a surface, lays a net on it or over it, and reads how it lies', async () => {

@@ -11,10 +11,12 @@ class FakeWorker implements WorkerLike {
   onerror: WorkerLike['onerror'] = null;
   onmessageerror: WorkerLike['onmessageerror'] = null;
   sent: Request[] = [];
+  seen = 0;
   terminated = false;
 
   postMessage(request: Request): void {
-    if (request.type !== 'seen') this.sent.push(request);
+    if (request.type === 'seen') ++this.seen;
+    else this.sent.push(request);
   }
 
   terminate(): void {
@@ -63,6 +65,8 @@ let news: [number, boolean][];
 let restarts: [string, boolean][];
 let document: Scene | null;
 let givenUp: string[];
+/** What the page does at news, beside taking them down. */
+let atNews: () => void;
 let client: Client;
 
 const worker = (): FakeWorker => workers.at(-1) ?? expect.fail('no worker');
@@ -74,11 +78,15 @@ beforeEach(() => {
   restarts = [];
   document = null;
   givenUp = [];
+  atNews = () => {};
   client = new Client(
     () => workers[workers.push(new FakeWorker()) - 1]!,
     {
       document: () => document,
-      frame: ({ positions }, settled) => news.push([positions[0] ?? NaN, settled]),
+      frame: ({ positions }, settled) => {
+        news.push([positions[0] ?? NaN, settled]);
+        atNews();
+      },
       restarted: (why, isBack) => restarts.push([why.message, isBack]),
       gaveUp: ({ code }) => givenUp.push(code),
     },
@@ -172,6 +180,17 @@ describe('news', () => {
     expect(client.busy).toBe(false);
   });
 
+  test('of a target is none of rest for a newer one, unless that is refused', async () => {
+    void client.drag([{ vertex: 7, target: [1, 0, 0] }]);
+    const { id } = await worker().do();
+    const newer = client.drag([{ vertex: 7, target: [NaN, 0, 0] }]);
+    worker().say({ id, type: 'settled', frame: frame(1) });
+    expect(news).toEqual([[1, false]]);
+    worker().say({ id: worker().take().id, type: 'error', code: 'non_finite', message: 'not finite' });
+    await expect(newer).rejects.toMatchObject({ code: 'non_finite' });
+    expect(news.at(-1)).toEqual([1, true]);
+  });
+
   test('of the time before a restore does not come', async () => {
     void client.solve();
     const { id } = await worker().do();
@@ -208,6 +227,20 @@ describe('news', () => {
     void client.idle().then(() => (idle = true));
     await tick();
     expect([client.busy, idle]).toEqual([true, true]);
+  });
+
+  test('at which the page fails is seen all the same, and idle is waited for no longer', async () => {
+    let idle = false;
+    void client.solve();
+    const { id } = await worker().do();
+    void client.idle().then(() => (idle = true));
+    const { seen } = worker();
+    atNews = () => {
+      throw new Error('in the page');
+    };
+    expect(() => worker().say({ id, type: 'settled', frame: frame(1) })).toThrow('in the page');
+    await tick();
+    expect([worker().seen, idle]).toEqual([seen + 1, true]);
   });
 
   test('is waited for by idle', async () => {

@@ -7,6 +7,7 @@ import { vertexColours } from '../../web/src/export/paint';
 import { type Drawing, patternSvg } from '../../web/src/export/pattern_svg';
 import { seamsOf } from '../../web/src/export/seams';
 import { QR_CAPACITY, qrCode } from '../../web/src/export/qr_code';
+import { Recording } from '../../web/src/export/recording';
 import { rhinoFileOf } from '../../web/src/export/rhino_file';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { facesOfPieces } from '../../web/src/net/pieces';
@@ -272,4 +273,20 @@ test('a QR code has room for links of its capacity and no more', () => {
   expect(size).toBeGreaterThan(28);
   expect(qrCode('x'.repeat(QR_CAPACITY)).size).toBe(177 + 8);
   expect(() => qrCode('x'.repeat(QR_CAPACITY + 1))).toThrow();
+});
+
+test('a film that a browser does not record after all is ended', () => {
+  vi.stubGlobal(
+    'MediaRecorder',
+    class {
+      constructor() {
+        throw new Error('no such codec');
+      }
+    },
+  );
+  const film = { stream: {} as MediaStream, end: vi.fn() };
+  const record = () => new Recording(film, 'video/webm', () => {});
+  expect(record).toThrow(expect.objectContaining({ code: 'no_film' }));
+  expect(film.end).toHaveBeenCalledOnce();
+  vi.unstubAllGlobals();
 });

@@ -1,5 +1,5 @@
 /** What scripts may give to `window.chebnet`: anything else is refused, with what and where. */
-import { expect, test } from 'vitest';
+import { afterEach, expect, test, vi } from 'vitest';
 import { readProject, writeProject } from '../../web/src/document/project';
 import { createScripting } from '../../web/src/scripting';
 import type { Scripting } from '../../web/src/scripting';
@@ -9,6 +9,8 @@ import { openPage } from './page_without_pictures';
 import type { Page } from './page_without_pictures';
 
 const core = await load();
+
+afterEach(() => vi.unstubAllGlobals());
 
 /** A script that nobody checks types for. */
 type Loose = { [Name in keyof Scripting]: (...given: unknown[]) => unknown };
@@ -184,4 +186,22 @@ test('calls that are sent together are carried out in this order, whatever each 
   await Promise.all([script.open({ recipe: 'vault:vertices=100' }), script.setHandles([{ vertex: 3 }])]);
   expect(await refused).toMatchObject({ code: 'index_out_of_range' });
   expect(script.handles()).toMatchObject([{ vertex: 3 }]);
+});
+
+test('a listener that fails is reported, and keeps neither another nor the net from going on', async () => {
+  const faults = vi.fn();
+  vi.stubGlobal('reportError', faults);
+  const { script, solve } = await pageWithDome();
+  const heard: unknown[] = [];
+  script.on('frame', () => {
+    throw new Error('of the script');
+  });
+  for (const event of ['frame', 'settled']) script.on(event, () => heard.push(event));
+  const { vertex } = (script.handles() as { vertex: number }[]).at(-1)!;
+  await script.move(vertex, [0, 0, 1]);
+  await solve();
+  await script.settled();
+  expect(heard).toContain('frame');
+  expect(heard.at(-1)).toBe('settled');
+  expect(faults).toHaveBeenCalledWith(new Error('of the script'));
 });

@@ -593,8 +593,15 @@ export class App {
     if (!isCancelled(why)) this.#presenter.panels.say(words.solver.restarted(sentence(why)), 'error');
   }
 
+  /** A listener that fails, as one of a script may, keeps nothing else from going on. */
   #emit(event: AppEvent, error?: unknown): void {
-    for (const listener of this.#listeners[event]) listener(error);
+    for (const listener of this.#listeners[event]) {
+      try {
+        listener(error);
+      } catch (fault) {
+        reportError(fault);
+      }
+    }
   }
 
   /** For what the user does: a failure is shown, not thrown. */

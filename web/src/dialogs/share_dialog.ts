@@ -2,6 +2,7 @@
 import { frameCode } from '../export/frame_code';
 import { qrCode, type QrCode } from '../export/qr_code';
 import { copyText } from '../files/clipboard';
+import { messageOf } from '../failure';
 import { words } from '../language/language';
 import { panelWords } from '../language/panels';
 import { make, makeButton, makeSvg, setText } from '../elements/dom';
@@ -40,11 +41,8 @@ export class ShareDialog {
   });
   readonly #copyLink: ShareParts['copyLink'];
   /** Until there is a link there is nothing to copy. */
-  readonly #again = makeButton(panelWords.share.copy, () => void this.#copy(true), {
-    class: 'primary',
-    disabled: true,
-  });
-  readonly #embed = makeButton(panelWords.share.copyEmbed, () => void this.#copySnippet(), { disabled: true });
+  readonly #again = makeButton(panelWords.share.copy, () => this.#copy(true), { class: 'primary', disabled: true });
+  readonly #embed = makeButton(panelWords.share.copyEmbed, () => this.#copySnippet(), { disabled: true });
   #chosen: ShareLink | null = null;
 
   constructor(root: HTMLElement, { links, copyLink }: ShareParts) {
@@ -76,7 +74,7 @@ export class ShareDialog {
     this.#dialog.addEventListener('close', () => this.#dialog.remove());
     root.append(this.#dialog);
     this.#dialog.showModal();
-    void links.then((all) => this.#offer(all));
+    links.then((all) => this.#offer(all)).catch((error: unknown) => setText(this.#said, messageOf(error)));
   }
 
   #offer(links: ShareLink[]): void {
@@ -100,16 +98,22 @@ export class ShareDialog {
     this.#chosen = link;
     this.#snippet.value = frameCode(link.embedded);
     this.#showCode(link.code);
-    void this.#copy(false);
+    this.#copy(false);
   }
 
-  async #copy(asked: boolean): Promise<void> {
-    if (this.#chosen) setText(this.#said, await this.#copyLink(this.#chosen, asked));
+  /** `asked`: by a button. */
+  #copy(asked: boolean): void {
+    if (this.#chosen) this.#tell(this.#copyLink(this.#chosen, asked));
   }
 
-  async #copySnippet(): Promise<void> {
-    const isCopied = await copyText(this.#snippet.value);
-    setText(this.#said, isCopied ? panelWords.share.embedCopied : panelWords.share.clipboardClosed);
+  #copySnippet(): void {
+    const { embedCopied, clipboardClosed } = panelWords.share;
+    this.#tell(copyText(this.#snippet.value).then((isCopied) => (isCopied ? embedCopied : clipboardClosed)));
+  }
+
+  /** What came of it, or why nothing did. */
+  #tell(doing: Promise<string>): void {
+    void doing.catch(messageOf).then((said) => setText(this.#said, said));
   }
 
   #showCode(code: ShareLink['code']): void {

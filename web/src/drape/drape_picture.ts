@@ -3,6 +3,7 @@
 import { DirectionalLight, HemisphereLight, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import type { Point, SurfacePlace } from '../../../wasm/chebnet';
 import type { ViewState } from '../document/document';
+import { ARROW_KEYS } from '../elements/keys';
 import { fieldOf, scaleOf } from '../fields/fields';
 import { words } from '../language/language';
 import { directionFor, fitCamera } from '../view/camera_fit';
@@ -14,6 +15,7 @@ import { NetLines } from '../view/net_lines';
 import { createNotice, probeGraphics } from '../view/notice';
 import type { Place } from '../view/overlay';
 import { type Projection, projectionOf } from '../view/picking';
+import { endRenderer, onPixelRatioChange, pixelRatio } from '../view/renderer';
 import { Space } from '../view/space';
 import { onThemeChange, readTheme } from '../view/theme';
 import { CutLines } from './cut_lines';
@@ -104,12 +106,6 @@ const RING = 58;
 /** Of one arrow key, in pixels; keys within so many milliseconds of each other make one way. */
 const STEP = { small: 6, big: 30, together: 1000 };
 const SLACK = { mouse: 5, touch: 16 };
-const ARROW_KEYS: Record<string, readonly [number, number]> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
 /** Of an edge, how far the surface is drawn behind. */
 const BEHIND = 0.5;
 const DEGREE = Math.PI / 180;
@@ -142,8 +138,10 @@ class DrapePicture implements Picture {
   readonly #listeners = new AbortController();
   readonly #resizing: ResizeObserver;
   readonly #stopThemes: () => void;
+  readonly #stopRatios: () => void;
   readonly #container: HTMLElement;
   readonly #upAxis: ViewState['upAxis'];
+  readonly #graphics: 'card' | 'software';
   readonly #events: PictureEvents;
   #space: Space | null = null;
   #netData: NetData | null = null;
@@ -173,9 +171,9 @@ class DrapePicture implements Picture {
   ) {
     this.#container = container;
     this.#upAxis = upAxis;
+    this.#graphics = graphics;
     this.#events = events;
     this.#renderer = new WebGLRenderer({ antialias: graphics === 'card', alpha: true });
-    this.#renderer.setPixelRatio(graphics === 'card' ? Math.min(devicePixelRatio, 2) : 1);
     const canvas = this.#renderer.domElement;
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'application');
@@ -190,6 +188,7 @@ class DrapePicture implements Picture {
     this.#stopThemes = onThemeChange(() => this.#readTheme());
     this.#resizing = new ResizeObserver(() => this.#resize());
     this.#resizing.observe(container);
+    this.#stopRatios = onPixelRatioChange(() => this.#resize());
     this.#resize();
   }
 
@@ -275,10 +274,12 @@ class DrapePicture implements Picture {
     this.#listeners.abort();
     this.#resizing.disconnect();
     this.#stopThemes();
+    this.#stopRatios();
     this.#forgetNet();
     const net = [this.#lines, this.#faces, this.#colours];
-    const parts = [this.#rig, this.#shade, ...net, this.#cuts, this.#curves, this.#markers, this.#renderer];
+    const parts = [this.#rig, this.#shade, ...net, this.#cuts, this.#curves, this.#markers];
     for (const part of parts) part.dispose();
+    endRenderer(this.#renderer);
     this.#renderer.domElement.remove();
     this.#ring.element.remove();
     this.#dots.element.remove();
@@ -529,6 +530,7 @@ class DrapePicture implements Picture {
     const { clientWidth, clientHeight } = this.#container;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#size.set(clientWidth, clientHeight);
+    this.#renderer.setPixelRatio(pixelRatio(this.#graphics));
     this.#renderer.setSize(clientWidth, clientHeight);
     this.#rig.resize(clientWidth, clientHeight);
     if (this.#rig.framed) this.#frameAll();

@@ -14,7 +14,7 @@ export class Recording {
 
   /** @param passed is called every second with the seconds recorded. */
   constructor(film: Film, type: string, passed: (seconds: number) => void) {
-    this.#recorder = new MediaRecorder(film.stream, { mimeType: type });
+    this.#recorder = recorderOf(film, type);
     const began = performance.now();
     const clock = setInterval(() => {
       const seconds = Math.round((performance.now() - began) / 1000);
@@ -39,5 +39,14 @@ export class Recording {
       this.#recorder.onerror = () => reject(new Failure('no_film', panelWords.recording.broken));
       this.#recorder.start();
     });
+  }
+}
+
+function recorderOf(film: Film, mimeType: string): MediaRecorder {
+  try {
+    return new MediaRecorder(film.stream, { mimeType });
+  } catch (cause) {
+    film.end();
+    throw new Failure('no_film', panelWords.recording.broken, { cause });
   }
 }

@@ -9,10 +9,11 @@ const INFO_MS = 6000;
 const OFFER_MS = 20_000;
 
 export class Messages implements Panel {
-  // Both are in the page from the start: screen readers announce changes of what is there.
+  // All are in the page from the start: screen readers announce changes of what is there.
   readonly #infos = make('div', { role: 'status' });
+  readonly #offers = make('div', { role: 'status' });
   readonly #errors = make('div', { role: 'alert' });
-  readonly element = make('div', { class: 'messages' }, this.#infos, this.#errors);
+  readonly element = make('div', { class: 'messages' }, this.#infos, this.#offers, this.#errors);
   #timer = 0;
   #hasNet = false;
 
@@ -39,7 +40,7 @@ export class Messages implements Panel {
       makeAct(line, { label: button, run: accept }),
       makeDismiss(() => line.remove()),
     );
-    this.#errors.before(make('div', { role: 'status' }, line));
+    this.#offers.append(line);
   }
 
   #sayInfo(message: string, action?: Action): void {

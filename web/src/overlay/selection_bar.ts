@@ -7,6 +7,7 @@ import { panelWords } from '../language/panels';
 import { make, makeButton, makeIcon, setText } from '../elements/dom';
 import { ICONS } from '../elements/icons';
 import { NumberField } from '../elements/number_field';
+import { whilePointedAt } from '../elements/pointed_at';
 import type { Panel, PanelEvents } from '../panels';
 import type { OpenedNet } from '../worker/protocol';
 import './toolbar.css';
@@ -183,12 +184,6 @@ export class SelectionBar implements Panel {
     });
     return [button, radius, this.#radius.note];
   }
-}
-
-/** While the pointer is over it, or it has the focus. */
-function whilePointedAt(element: HTMLElement, begin: () => void, end: () => void): void {
-  for (const event of ['pointerenter', 'focusin']) element.addEventListener(event, begin);
-  for (const event of ['pointerleave', 'focusout']) element.addEventListener(event, end);
 }
 
 function tool(icon: string, label: string, hint: string, click: () => void): HTMLButtonElement {

@@ -8,9 +8,9 @@ import { sharpQuads } from '../net/fold';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
+import { CornerLimit } from './corner_limit';
 import './stuck_notice.css';
 
-const LIMIT = 'shear_limit';
 /** In edge lengths: shorter moves are not seen. */
 const SEEN_MOVE = 0.01;
 
@@ -18,7 +18,7 @@ export class SharpNotice implements Panel {
   readonly element = make('div', { class: 'sharp-notice', role: 'status' });
   readonly #words = make('span');
   readonly #line: HTMLElement;
-  #usualLimit = 0;
+  readonly #limit = new CornerLimit();
   #document: ChebnetDocument | null = null;
   #net: OpenedNet | null = null;
   /** Whether the net has just been opened, and its first solve has not ended. */
@@ -28,7 +28,7 @@ export class SharpNotice implements Panel {
     const leave = makeButton(panelWords.sharp.leave, () => {
       this.#hide();
       const { method, initialisation, options } = this.#document!;
-      events.setOptions({ method, initialisation, options: { ...options, [LIMIT]: 0 } });
+      events.setOptions({ method, initialisation, options: { ...options, shear_limit: 0 } });
       events.reset();
     });
     const accept = makeButton(panelWords.sharp.accept, () => this.#hide());
@@ -39,8 +39,8 @@ export class SharpNotice implements Panel {
     );
   }
 
-  setTables({ options }: Tables): void {
-    this.#usualLimit = options.find(({ name }) => name === LIMIT)?.value ?? 0;
+  setTables(tables: Tables): void {
+    this.#limit.setTables(tables);
   }
 
   setDocument(document: ChebnetDocument): void {
@@ -59,8 +59,7 @@ export class SharpNotice implements Panel {
     const { info, restPositions } = this.#net;
     const move = longestMove(restPositions, frame.positions) / info.meanLength;
     if (move < SEEN_MOVE || !this.#areAtRest(frame.handles)) return;
-    const limit = Number(this.#document.options[LIMIT] ?? this.#usualLimit);
-    const count = sharpQuads(this.#net, restPositions, limit).size;
+    const count = sharpQuads(this.#net, restPositions, this.#limit.of(this.#document)).size;
     if (count === 0) return;
     setText(this.#words, panelWords.sharp.opened(count, move.toFixed(2)));
     this.element.replaceChildren(this.#line);

@@ -1,7 +1,6 @@
 /** Where the net does not do what was asked of it: a solve ended without a shape in which all edges have their length, or a
  *  hand was held back. Why, and the ways out; it stays for as long as that is so, or until it is dismissed. Also what came of
  *  one of these ways: edges that have grown, for as long as they are so. */
-import { METHOD_AT_REST } from '../document/defaults';
 import type { ChebnetDocument, HandleData } from '../document/document';
 import type { HistoryView } from '../document/undo';
 import { make, makeButton, setText } from '../elements/dom';
@@ -11,6 +10,7 @@ import { apart } from '../language/numbers';
 import { panelWords } from '../language/panels';
 import { type BadCells, badCells } from './bad_cells';
 import { placeClear } from './clear_place';
+import { CornerLimit } from './corner_limit';
 import { makeDismiss } from './messages';
 import { KEPT_DEVIATION } from '../net/edge_lengths';
 import { sharpQuads } from '../net/fold';
@@ -22,7 +22,6 @@ import './stuck_notice.css';
 /** The least weight that can be chosen: the net finds its shape, and the weight can be raised from there. */
 const SOFT = 0.01;
 const SCALE = 'length_scale';
-const LIMIT = 'shear_limit';
 /** What is no farther from the limit of corners is held by it, in degrees. */
 const AT_LIMIT = 0.1;
 /** More than this could not be told apart, and would be slow to draw. */
@@ -36,6 +35,7 @@ export class StuckNotice implements Panel {
   // In the page from the start: screen readers announce changes of what is there.
   readonly element = make('div', { class: 'stuck-notice', role: 'status' });
   readonly #events: PanelEvents;
+  readonly #failed: (error: unknown) => void;
   readonly #words = make('span');
   readonly #back: HTMLButtonElement;
   readonly #soften: HTMLButtonElement;
@@ -50,24 +50,27 @@ export class StuckNotice implements Panel {
   #choice: Choice | null = null;
   #frame: FrameData | null = null;
   #net: OpenedNet | null = null;
-  #usualLimit = 0;
+  readonly #cornerLimit = new CornerLimit();
   /** What is wrong with the net as it stands. */
   #bad: BadCells = NONE_BAD;
   #isGrowing = false;
   #history: HistoryView | null = null;
   /** The places in the history whose shapes are known to be wrong. */
   readonly #wrong = new Set<number>();
+  /** The revision of the history for which no length of edges was found. */
+  #hopeless: number | null = null;
   /** What was said when it was put away. */
   #dismissed: string | null = null;
   /** The scale of lengths that was found here, as a way out, and that of before. */
   #grown: { to: number; from: number } | null = null;
 
-  constructor(events: PanelEvents) {
+  constructor(events: PanelEvents, failed: (error: unknown) => void) {
     this.#events = events;
+    this.#failed = failed;
     const { back, soften, grow, widen, stop, lengthsBack } = panelWords.stuck;
     this.#back = makeButton(back, () => events.goTo(this.#lastGood!));
     this.#soften = makeButton(soften, () => events.handles.change(this.#candidates, { weight: SOFT }));
-    this.#grow = makeButton(grow, () => void this.#growEdges());
+    this.#grow = makeButton(grow, () => this.#growEdges().catch(this.#failed));
     this.#widen = makeButton(widen, () => {
       events.handles.setLocality(undefined);
       events.solve();
@@ -83,8 +86,8 @@ export class StuckNotice implements Panel {
     this.#line = make('div', { class: 'message' }, make('div', {}, this.#words, ways), this.#dismiss);
   }
 
-  setTables({ options }: Tables): void {
-    this.#usualLimit = options.find(({ name }) => name === LIMIT)?.value ?? 0;
+  setTables(tables: Tables): void {
+    this.#cornerLimit.setTables(tables);
   }
 
   setDocument(document: ChebnetDocument): void {
@@ -138,8 +141,7 @@ export class StuckNotice implements Panel {
 
   /** Of corners, in degrees, for the method that heeds one. */
   get #limit(): number {
-    const { method, options } = this.#document ?? {};
-    return method === METHOD_AT_REST ? Number(options?.[LIMIT] ?? this.#usualLimit) : 0;
+    return this.#document === null ? 0 : this.#cornerLimit.of(this.#document);
   }
 
   /** Whether corners keep the net from going farther. */
@@ -203,23 +205,29 @@ export class StuckNotice implements Panel {
   }
 
   async #growEdges(): Promise<void> {
-    const { growing, noLength } = panelWords.stuck;
+    const { growing } = panelWords.stuck;
     this.#isGrowing = true;
     const from = this.#scale;
     const tell = (scale: number): void => setText(this.#words, growing(percentOf(scale)));
     tell(from);
     this.#show();
-    // It is cancelled, without a message, if the net is edited meanwhile.
-    const scale = await this.#events.adaptLengths(tell).catch(() => undefined);
-    this.#isGrowing = false;
-    if (scale) {
-      this.#grown = { to: scale, from };
-      this.#dismissed = null;
-      // What fell short was the net of before; the next frame at rest may be seconds away.
-      if (this.#frame) this.#frame = { ...this.#frame, fellShort: false };
+    try {
+      this.#take(await this.#events.adaptLengths(tell), from);
+    } finally {
+      this.#isGrowing = false;
+      this.#show();
     }
-    this.#show();
-    if (scale === null) setText(this.#words, noLength);
+  }
+
+  #take(scale: number | null, from: number): void {
+    this.#dismissed = null;
+    if (scale === null) {
+      this.#hopeless = this.#history?.revision ?? null;
+      return;
+    }
+    this.#grown = { to: scale, from };
+    // What fell short was the net of before; the next frame at rest may be seconds away.
+    if (this.#frame) this.#frame = { ...this.#frame, fellShort: false };
   }
 
   #putAway(): void {
@@ -234,7 +242,8 @@ export class StuckNotice implements Panel {
   }
 
   #reason(standing: Standing): string {
-    const { fellShort, grown, shrunk, leftSo, noShape, tooSharp, unreachable, tooLocal } = panelWords.stuck;
+    const { fellShort, grown, shrunk, leftSo, noLength, noShape, tooSharp, unreachable, tooLocal } = panelWords.stuck;
+    if (standing !== 'grown' && this.#hopeless === this.#history?.revision) return noLength;
     if (standing === 'short') return fellShort(this.#isAtLimit ? this.#limit : null);
     if (standing === 'grown') return (this.#scale > 1 ? grown : shrunk)(percentOf(this.#scale));
     if (this.#worst === undefined) {

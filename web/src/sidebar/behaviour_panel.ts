@@ -75,12 +75,14 @@ export class BehaviourPanel implements Panel {
   readonly #guidePlace = make('div', { hidden: true });
   #guide: GuideControls | null = null;
   readonly #events: PanelEvents;
+  readonly #failed: (error: unknown) => void;
   #usual: SolverOptions = {};
   #document: ChebnetDocument | null = null;
   #lightest = lightest(2000);
 
-  constructor(events: PanelEvents) {
+  constructor(events: PanelEvents, failed: (error: unknown) => void) {
     this.#events = events;
+    this.#failed = failed;
     const texts = words.behaviour.choices;
     const choices = (['lengths', 'shape', 'rods', 'cloth', 'own'] as const).map((value) => ({
       value,
@@ -127,7 +129,7 @@ export class BehaviourPanel implements Panel {
     const falls = isMaterial && this.#weightStep() > 0 && !document.handles.some(carries);
     setText(this.#unheld, falls ? words.behaviour.unheld : '');
     this.#guidePlace.hidden = document.guide === undefined;
-    if (document.guide) void this.#setGuide();
+    if (document.guide) this.#setGuide().catch(this.#failed);
   }
 
   async #setGuide(): Promise<void> {

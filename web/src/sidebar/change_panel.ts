@@ -6,6 +6,7 @@ import type { WantedChange, WayOfAll } from '../change/subject';
 import type { HandleData } from '../document/document';
 import { make, makeButton, makeSection, makeSelect, setText } from '../elements/dom';
 import { NumberField } from '../elements/number_field';
+import { whilePointedAt } from '../elements/pointed_at';
 import type { Choice } from '../handles/commands';
 import { wayThrough } from '../handles/way';
 import { panelWords } from '../language/panels';
@@ -52,7 +53,7 @@ export class ChangePanel implements Panel {
     this.#events = events;
     this.#drawing = new LineDrawing(events, () => this.#takeDrawn(), failed);
     this.#line = makeSelect(TEXT.line, [], () => this.#preview('cut'));
-    whilePointedAt(this.#line.select, (isPointedAt) => this.#preview(isPointedAt ? 'cut' : null));
+    this.#previewAt(this.#line.select, 'cut');
     this.#ofPieces = OF_PIECES.map((way) => this.#makeButton({ way, place: 'between' }));
     this.#atHandles = [this.#makeButton({ way: 'delete_faces', place: 'between' }), ...this.#ofPieces];
     const resize = make(
@@ -179,9 +180,17 @@ export class ChangePanel implements Panel {
   /** Shows what it does while it is hovered or has the focus. */
   #makeLineButton(way: LineWay): HTMLButtonElement {
     const button = makeButton(TEXT.ways[way], () => this.#ask({ way, place: this.#place }), { title: TEXT.hints[way] });
-    whilePointedAt(button, (isPointedAt) => this.#preview(isPointedAt ? way : null));
+    this.#previewAt(button, way);
     if (way === 'keep_larger' || way === 'keep_smaller') this.#keeping.push(button);
     return button;
+  }
+
+  #previewAt(element: HTMLElement, way: LineWay): void {
+    whilePointedAt(
+      element,
+      () => this.#preview(way),
+      () => this.#preview(null),
+    );
   }
 
   /** The line, and what goes with its side; null: nothing is about to be done, and a line that was drawn stays to be seen, with
@@ -215,9 +224,4 @@ export class ChangePanel implements Panel {
     this.#events.previewAlone([]);
     this.#events.changeNet(wanted);
   }
-}
-
-function whilePointedAt(element: HTMLElement, show: (isPointedAt: boolean) => void): void {
-  for (const begin of ['pointerenter', 'focus']) element.addEventListener(begin, () => show(true));
-  for (const end of ['pointerleave', 'blur']) element.addEventListener(end, () => show(false));
 }

@@ -20,7 +20,7 @@ export class DragPanel implements Panel {
   readonly #present: Present = { net: null, positions: null, selected: [] };
 
   /** @param say tells the visitor what cannot be done. */
-  constructor(commands: HandleCommands, say: (message: string) => void) {
+  constructor(commands: HandleCommands, say: (message: string) => void, failed: (error: unknown) => void) {
     const locality = { label: TEXT.locality, hint: TEXT.localityHint, none: TEXT.everything };
     this.#locality = new RadiusSlider('locality', locality, false, {
       preview: (radius) => commands.previewLocality(radius),
@@ -34,7 +34,7 @@ export class DragPanel implements Panel {
     const within = makeSwitch(TEXT.within, (on) => commands.setKeepWithin(on));
     within.row.title = TEXT.withinHint;
     within.box.checked = true;
-    this.#snap = new SnapControls(commands, this.#present, say);
+    this.#snap = new SnapControls(commands, this.#present, say, failed);
     const reach = makeSwitch(TEXT.showReach, (on) => commands.setShowReach(on));
     reach.row.title = TEXT.showReachHint;
     const axes = make('p', { class: 'quiet' }, TEXT.axes);

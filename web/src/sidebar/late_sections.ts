@@ -57,7 +57,7 @@ export function createLateSections(
     fold();
     events.compare(request);
   });
-  const [drag, flip] = [new DragPanel(events.handles, say), new FlipControl(events)];
+  const [drag, flip] = [new DragPanel(events.handles, say, failed), new FlipControl(events)];
   drag.element.append(flip.element);
   const rods = new RodControls(events);
   behaviour.append(rods.element);
@@ -81,7 +81,7 @@ export function createLateSections(
   );
   research.classList.add('group');
   const tools = [new SelectionBar(events), new PartNotice(events), new RunNotice(events)];
-  const notices = [new SharpNotice(events), new StuckNotice(events), new Narrator(events.isChanging)];
+  const notices = [new SharpNotice(events), new StuckNotice(events, failed), new Narrator(events.isChanging)];
   return {
     panels: [
       ...usual,

@@ -8,13 +8,13 @@ import { ShapePanel } from './shape_panel';
 export interface SidebarServices {
   events: PanelEvents;
   say(message: string): void;
-  /** A part of a panel could not be loaded. */
+  /** A part of a panel could not be loaded, or what it asked for was not done; what was cancelled is not told. */
   failed(error: unknown): void;
   /** Makes room on a phone for what is behind the sidebar. */
   fold(): void;
 }
 
 /** From top to bottom, those that the first visitor looks at; the others follow (late_sections.ts). */
-export function createSections({ events }: SidebarServices): [ShapePanel, BehaviourPanel] {
-  return [new ShapePanel(events), new BehaviourPanel(events)];
+export function createSections({ events, failed }: SidebarServices): [ShapePanel, BehaviourPanel] {
+  return [new ShapePanel(events), new BehaviourPanel(events, failed)];
 }

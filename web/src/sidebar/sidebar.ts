@@ -15,6 +15,7 @@ import { OpeningNotice } from '../overlay/opening_notice';
 import { Title } from '../overlay/title';
 import { Toolbar } from '../overlay/toolbar';
 import type { Action, Panel, PanelEvents, Panels } from '../panels';
+import { isCancelled } from '../worker/client';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { ExperimentsPlace } from './experiments_place';
 import { makeLanguageChoice } from './language_choice';
@@ -66,7 +67,9 @@ class Sidebar implements Panels {
   #timer = 0;
 
   constructor(root: HTMLElement, events: PanelEvents) {
-    const failed = (error: unknown): void => this.say(messageOf(error), 'error');
+    const failed = (error: unknown): void => {
+      if (!isCancelled(error)) this.say(messageOf(error), 'error');
+    };
     this.#experiments = new ExperimentsPlace(events, failed);
     this.#toolbar = new Toolbar(events);
     const over: Panel[] = [
@@ -122,8 +125,7 @@ class Sidebar implements Panels {
 
   setNet(net: OpenedNet): void {
     this.#panels.tell('setNet', net);
-    if (!this.#lateAreWanted) setTimeout(() => this.#addLateSections().catch(this.#services.failed), LATE_MS);
-    this.#lateAreWanted = true;
+    this.#wantLateSections();
   }
 
   setOpening(isUnderWay: boolean, canCancel: boolean): void {
@@ -164,6 +166,18 @@ class Sidebar implements Panels {
     this.#timer = 0;
     const { frame, framesPerSecond, solving } = this.#pending!;
     this.#panels.tell('setFrame', frame, framesPerSecond, solving);
+  }
+
+  /** Those that could not be loaded are wanted again with the next net, or when there is a network. */
+  #wantLateSections(): void {
+    if (this.#lateAreWanted) return;
+    this.#lateAreWanted = true;
+    const failed = (error: unknown): void => {
+      this.#lateAreWanted = false;
+      addEventListener('online', () => this.#wantLateSections(), { once: true });
+      this.#services.failed(error);
+    };
+    setTimeout(() => this.#addLateSections().catch(failed), LATE_MS);
   }
 
   async #addLateSections(): Promise<void> {

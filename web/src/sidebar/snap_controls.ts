@@ -32,7 +32,7 @@ export class SnapControls {
   readonly rows: HTMLElement[];
   readonly #grid = makeSwitch(TEXT.toGrid, () => this.#apply());
   readonly #handles = makeSwitch(TEXT.toHandles, () => this.#apply());
-  readonly #onto = makeSwitch(TEXT.toSurface, () => void this.#findSurface());
+  readonly #onto = makeSwitch(TEXT.toSurface, () => this.#snapToSurface());
   readonly #spacing = new NumberField({
     min: 0,
     above: 0,
@@ -54,6 +54,7 @@ export class SnapControls {
   );
   readonly #present: Readonly<Present>;
   readonly #say: (message: string) => void;
+  readonly #failed: (error: unknown) => void;
   /** As it was when it was chosen. */
   #curve: Curve | null = null;
   #edgeLength = 1;
@@ -65,10 +66,16 @@ export class SnapControls {
   readonly #commands: HandleCommands;
 
   /** @param say tells the visitor what cannot be done. */
-  constructor(commands: HandleCommands, present: Readonly<Present>, say: (message: string) => void) {
+  constructor(
+    commands: HandleCommands,
+    present: Readonly<Present>,
+    say: (message: string) => void,
+    failed: (error: unknown) => void,
+  ) {
     this.#commands = commands;
     this.#present = present;
     this.#say = say;
+    this.#failed = failed;
     this.#handles.row.title = TEXT.toHandlesHint;
     this.#grid.row.title = TEXT.toGridHint;
     this.#spacingRow = make(
@@ -91,7 +98,7 @@ export class SnapControls {
       make('span', {}, TEXT.toCurve),
       this.#curves,
     );
-    this.#curves.addEventListener('change', () => void this.#chooseCurve(this.#curves.value as CurveName));
+    this.#curves.addEventListener('change', () => this.#keepToChosen());
     this.rows = [this.#grid.row, this.#spacingRow, this.#handles.row, this.#onto.row, curves];
     // Before the picture moves the selection at a key, and after it has ended that at its release.
     addEventListener('keydown', (event) => this.#hold(event, true), { capture: true });
@@ -111,7 +118,15 @@ export class SnapControls {
     if (guide === this.#guide) return;
     this.#guide = guide;
     this.#onto.row.hidden = guide === undefined;
-    if (this.#onto.box.checked) void this.#findSurface();
+    if (this.#onto.box.checked) this.#snapToSurface();
+  }
+
+  #keepToChosen(): void {
+    const name = this.#curves.value as CurveName;
+    this.#chooseCurve(name).catch((error: unknown) => {
+      if (this.#curves.value === name) this.#keepTo(null);
+      this.#failed(error);
+    });
   }
 
   async #chooseCurve(name: CurveName): Promise<void> {
@@ -134,6 +149,13 @@ export class SnapControls {
     this.#curve = curve;
     if (curve === null) this.#curves.value = 'none';
     this.#apply();
+  }
+
+  #snapToSurface(): void {
+    this.#findSurface().catch((error: unknown) => {
+      this.#onto.box.checked = false;
+      this.#failed(error);
+    });
   }
 
   async #findSurface(): Promise<void> {

@@ -5,7 +5,7 @@
 import { type Camera, Matrix4, TOUCH, Vector2, Vector3 } from 'three';
 import type { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { type Selection, toggled, united } from '../handles/selection';
-import { chordOf } from '../elements/keys';
+import { ARROW_KEYS, chordOf } from '../elements/keys';
 import type { Along } from '../handles/along';
 import type { AxisDrag } from './axis_drag';
 import { type DragReport, ViewPlane } from './drag';
@@ -80,12 +80,6 @@ const FAR = 24;
 const LAYER = 3;
 /** One arrow key: a turn in radians, a shift in pixels, a nudge in edge lengths. On a grid a nudge is a step of it. */
 const KEY = { turn: 0.12, pan: 40, zoom: 0.87, nudge: 0.2, bigNudge: 2 };
-const ARROW_KEYS: Record<string, readonly [number, number]> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-};
 
 const AXIS_KEY = /^(Shift\+)?[XYZ]$/;
 
@@ -115,6 +109,8 @@ export class Gestures {
     above.addEventListener('pointercancel', (event) => this.#lost(event), { signal, capture: true });
     // If text of the page is selected, browsers would drag that text instead of the handle.
     above.addEventListener('dragstart', (event) => event.preventDefault(), { signal });
+    // A menu, as Ctrl and a click open it on a Mac, would take the release of the pointer.
+    canvas.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
     canvas.addEventListener('pointerleave', () => this.#leave(), { signal });
     canvas.addEventListener('keydown', (event) => this.#key(event), { signal });
     canvas.addEventListener('keyup', (event) => this.#keyUp(event), { signal });
@@ -174,6 +170,8 @@ export class Gestures {
       if (isUnderWay(press)) event.stopPropagation();
       return;
     }
+    // It was released where the page was not told of it.
+    if (event.buttons === 0) return this.#up(event);
     const at = (press.last = this.#place(event));
     press.gone = Math.max(press.gone, Math.hypot(at.x - press.at.x, at.y - press.at.y));
     if (!press.moved && press.gone > STILL[kind(event)]) this.#begin(press);
@@ -369,8 +367,8 @@ export class Gestures {
 
   #key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const direction = ARROW_KEYS[event.key];
-    if (direction) this.#arrowKey(direction, event.shiftKey);
+    const arrow = ARROW_KEYS[event.key];
+    if (arrow) this.#arrowKey(arrow[0], -arrow[1], event.shiftKey);
     else if (event.key === '+' || event.key === '=') this.#context.orbit.dollyIn(KEY.zoom);
     else if (event.key === '-') this.#context.orbit.dollyOut(KEY.zoom);
     else if (event.key === 'Home') this.#context.frameAll();
@@ -388,7 +386,7 @@ export class Gestures {
     this.#context.report.end(false);
   }
 
-  #arrowKey([dx, dy]: readonly [number, number], big: boolean): void {
+  #arrowKey(dx: number, dy: number, big: boolean): void {
     const { orbit } = this.#context;
     if (this.#context.selection().length > 0) this.#nudge(dx, dy, big ? KEY.bigNudge : KEY.nudge);
     else if (big) orbit.pan(-dx * KEY.pan, dy * KEY.pan);

@@ -2,17 +2,12 @@
  *  buttons and the wheel move the camera as before; arrow keys move a point, which Space or Enter sets down and lifts. Esc
  *  gives a stroke up, and without one puts the pen away. Loaded when it is first taken. */
 import { makeSvg } from '../elements/dom';
+import { ARROW_KEYS } from '../elements/keys';
 import type { Place } from './overlay';
 import type { Stroke } from './stroke';
 import type { PenEvents } from './view';
 import './pen.css';
 
-const ARROW_KEYS: Record<string, readonly [number, number]> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
 /** Pixels that an arrow key moves the point, big with Shift. */
 const STEP = { small: 6, big: 30 };
 

@@ -22,6 +22,7 @@ import { createBlankView, createNotice, probeGraphics } from './notice';
 import type { Place } from './overlay';
 import { type Projection, projectionOf } from './picking';
 import type { ReachSurface } from './reach_surface';
+import { endRenderer, onPixelRatioChange, pixelRatio } from './renderer';
 import type { StepArrows } from './step_arrows';
 import type { SymmetrySheet } from './symmetry_sheet';
 import { onThemeChange, readTheme, type Theme } from './theme';
@@ -30,8 +31,6 @@ import './view.css';
 
 const captures = lazy(() => import('./capture'));
 
-/** Higher pixel ratios cost much and show little; without a graphics card every pixel is expensive. */
-const LARGEST_PIXEL_RATIO = { card: 2, software: 1 };
 /** Of a picture whose camera does not say. */
 const USUAL_ASPECT = 1.2;
 /** The share of its margins that title and tools do cover. */
@@ -59,6 +58,8 @@ class SceneView implements View {
   readonly #notice: ReturnType<typeof createNotice>;
   readonly #resizing: ResizeObserver;
   readonly #stopThemes: () => void;
+  readonly #stopRatios: () => void;
+  readonly #listeners = new AbortController();
   readonly #size = new Vector2(1, 1);
   #theme: Theme;
   /** From where the whole net is seen. */
@@ -163,10 +164,12 @@ class SceneView implements View {
     this.#gestures = this.#createGestures(canvas);
     this.#applyTheme();
     this.#stopThemes = onThemeChange(() => this.#readTheme());
-    canvas.addEventListener('webglcontextlost', () => this.#lost());
-    canvas.addEventListener('webglcontextrestored', () => this.#restored());
+    const { signal } = this.#listeners;
+    canvas.addEventListener('webglcontextlost', () => this.#lost(), { signal });
+    canvas.addEventListener('webglcontextrestored', () => this.#restored(), { signal });
     this.#resizing = new ResizeObserver(() => this.#resize());
     this.#resizing.observe(container);
+    this.#stopRatios = onPixelRatioChange(() => this.#resize());
     this.#resize();
     // Drivers compile shaders while the first net is still to come; its first picture would wait for them.
     this.#renderer.compile(this.#scene, this.#rig.eye);
@@ -356,12 +359,14 @@ class SceneView implements View {
     cancelAnimationFrame(this.#frame);
     this.#resizing.disconnect();
     this.#stopThemes();
-    for (const part of [this.#gestures, this.#gizmo, this.#rig, this.#markers, this.#drawing, this.#renderer])
-      part.dispose();
-    this.#renderer.domElement.remove();
+    this.#stopRatios();
+    this.#listeners.abort();
+    for (const part of [this.#gestures, this.#gizmo, this.#rig, this.#markers, this.#drawing]) part.dispose();
     this.#stepArrows?.dispose();
     this.#sheet?.dispose();
     this.#reach?.dispose();
+    endRenderer(this.#renderer);
+    this.#renderer.domElement.remove();
     this.#annotations.overlay.element.remove();
     this.#notice.remove();
   }
@@ -534,7 +539,7 @@ class SceneView implements View {
     const { clientWidth, clientHeight } = this.#container;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#size.set(clientWidth, clientHeight);
-    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, LARGEST_PIXEL_RATIO[this.#graphics]));
+    this.#renderer.setPixelRatio(pixelRatio(this.#graphics));
     this.#renderer.setSize(clientWidth, clientHeight);
     this.#rig.resize(clientWidth, clientHeight);
     if (this.#rig.framed && this.#netData) this.#rig.standAt(this.#wholeNet());
@@ -552,10 +557,13 @@ class SceneView implements View {
   }
 
   #draw(): void {
-    // What a move of the hand asks to be drawn, this draws.
-    this.#report.flush();
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
+    try {
+      this.#report.flush();
+    } finally {
+      // What a move of the hand asks to be drawn, this draws; where that fails, the next picture is asked for anew.
+      cancelAnimationFrame(this.#frame);
+      this.#frame = 0;
+    }
     this.#rig.update();
     if (!this.#netData) return;
     this.#prepare(this.#netData);

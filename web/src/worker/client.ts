@@ -43,6 +43,7 @@ type OpenScene = Omit<Scene, 'view'>;
 /** What of the document is to be said otherwise when another worker opens it again. */
 type Returning = Pick<OpenScene, 'settled' | 'ending'>;
 type Answered<T extends Response['type']> = Extract<Response, { type: T }>;
+type News = Pick<Answered<'frame'>, 'id' | 'frame'>;
 type WithoutId<T> = T extends unknown ? Omit<T, 'id'> : never;
 type Body = WithoutId<Request>;
 
@@ -83,6 +84,8 @@ export class Client {
   /** The last request answered that touched the net, and the last of which the news says that it is settled. */
   #touched = 0;
   #settled = 0;
+  /** The last news, at rest, if a change that is unanswered keeps it from counting as that. */
+  #withheld: News | null = null;
   /** News of requests before this one is outdated. */
   #barrier = 0;
   /** The worker has a net. */
@@ -290,16 +293,26 @@ export class Client {
     if (response.type === 'error' && response.code === CRASHED)
       return this.#lose(words.core.failure(CRASHED, response.message));
     this.#proven = true;
-    if (response.type === 'frame' || response.type === 'settled') this.#news(response);
-    else if (response.type === 'adapting') this.#adapting(response.scale);
-    else this.#answered(response);
-    this.#rest();
+    // Whatever goes wrong in the page that is told of it.
+    try {
+      if (response.type === 'frame' || response.type === 'settled') this.#news(response);
+      else if (response.type === 'adapting') this.#adapting(response.scale);
+      else this.#answered(response);
+    } finally {
+      this.#rest();
+    }
   }
 
   #news({ id, type, frame }: Answered<'frame' | 'settled'>): void {
     if (type === 'settled') this.#settled = Math.max(this.#settled, id);
-    if (id >= this.#barrier) this.#host.frame(frame, !this.solving);
     this.#post({ id: ++this.#lastId, type: 'seen' });
+    this.#pass({ id, frame });
+  }
+
+  /** While a change is unanswered, targets are newer than those of the frame: it settles nothing, unless the change is refused. */
+  #pass(news: News): void {
+    this.#withheld = this.changing && !this.solving ? news : null;
+    if (news.id >= this.#barrier) this.#host.frame(news.frame, !this.changing);
   }
 
   #answered(response: Response): void {
@@ -311,6 +324,7 @@ export class Client {
       // A failed request changed nothing, so news of those before is still valid.
       if (this.#barrier === response.id) this.#barrier = 0;
       waiting.reject(why);
+      if (this.#withheld !== null && !this.changing) this.#pass(this.#withheld);
     } else if (waiting !== undefined) {
       if (touchesNet(waiting.type)) this.#touched = Math.max(this.#touched, response.id);
       waiting.resolve(response);
@@ -360,6 +374,7 @@ export class Client {
     this.#worker = null;
     this.#hasNet = false;
     this.#settled = this.#touched;
+    this.#withheld = null;
     const waiting = [...this.#waiting.values()];
     this.#waiting.clear();
     for (const { reject } of waiting) reject(why);
