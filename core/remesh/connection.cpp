@@ -215,7 +215,7 @@ public:
             if (!is_followed[s]) has_way_out[piece] = true;
             if (free[piece] == 0 && std::abs(remainder[piece]) > k_least_remainder) m_is_open[piece] = true;
         }
-        for (std::size_t piece = 0; piece < pieces; ++piece)
+        for (std::size_t piece = 0; piece < pieces; ++piece)  // then all the rest of its boundary can be followed
             if (has_way_out[piece]) m_is_open[piece] = false;
         for (int f = 0; f < surface.face_count(); ++f) {
             const int piece = m_of_face[f];
