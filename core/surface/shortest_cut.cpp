@@ -4,8 +4,10 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,11 @@ namespace {
 // Of a side: halvings by the golden section, down to less than snapped() does away with.
 constexpr int k_sections = 16;
 const double k_golden = (std::sqrt(5.0) - 1) / 2;
+
+// So many sides are looked at closely.
+constexpr std::size_t k_most_sides = 8;
+// So many pairs of boundary curves are measured, each by a march over the surface.
+constexpr std::size_t k_most_measured = 64;
 
 using Loop = std::vector<int>;  // sides along a boundary curve
 
@@ -57,43 +64,51 @@ Reached nearest_on(const Surface& surface, const SurfacePoint& from, int side) {
     return best;
 }
 
-/// On the sides at the vertex that is nearest by distances over the surface; nothing if none is in reach.
+/// On those sides that may be nearest, by the distances of their ends over the surface; nothing if none is in reach.
 std::optional<Reached> nearest_on(const Surface& surface, const SurfacePoint& from, const std::vector<Loop>& loops) {
     const std::vector<double> distances = geodesic_distances(surface, {{from}});
-    double least = std::numeric_limits<double>::infinity();
-    int before = -1, behind = -1;
+    std::vector<std::pair<double, int>>
+        sides;  // with a bound of their distance: who comes from there reaches both ends
     for (const Loop& loop : loops)
-        for (std::size_t k = 0; k < loop.size(); ++k)
-            if (const double here = distances[surface.from(loop[k])]; here < least) {
-                least = here;
-                before = loop[(k + loop.size() - 1) % loop.size()];
-                behind = loop[k];
-            }
-    if (behind < 0) return std::nullopt;
-    const Reached a = nearest_on(surface, from, before), b = nearest_on(surface, from, behind);
-    return a.way < b.way ? a : b;
+        for (const int side : loop)
+            if (const double ends = distances[surface.from(side)] + distances[surface.to(side)]; std::isfinite(ends))
+                sides.emplace_back((ends - surface.length_of(side)) / 2, side);
+    if (sides.empty()) return std::nullopt;
+    std::sort(sides.begin(), sides.end());
+    Reached best;
+    for (std::size_t k = 0; k < std::min(k_most_sides, sides.size()) && sides[k].first < best.way; ++k)
+        if (const Reached here = nearest_on(surface, from, sides[k].second); here.way < best.way) best = here;
+    return best;
 }
 
 /// The vertex at which a side begins.
 SurfacePoint beginning_of(int side) { return point_on(side, 0); }
 
-/// Of the sides of one curve, the beginning that is nearest to another.
-SurfacePoint nearest_beginning(const Surface& surface, const Loop& from, const Loop& on) {
-    std::vector<SurfacePoint> sources;
-    std::transform(from.begin(), from.end(), std::back_inserter(sources), beginning_of);
-    const std::vector<double> distances = geodesic_distances(surface, sources);
-    return beginning_of(*std::min_element(
-        on.begin(), on.end(), [&](int a, int b) { return distances[surface.from(a)] < distances[surface.from(b)]; }));
-}
-
 /// Of two curves of one piece, that are nearest to each other.
 struct Pair {
     std::size_t first = 0;   // place of a curve
     SurfacePoint on_second;  // a vertex of another
+    double distance = std::numeric_limits<double>::infinity();
 };
 
+std::vector<SurfacePoint> beginnings_of(const Loop& loop) {
+    std::vector<SurfacePoint> points;
+    std::transform(loop.begin(), loop.end(), std::back_inserter(points), beginning_of);
+    return points;
+}
+
+/// With the vertex of the second that is nearest to the first.
+Pair measured(const Surface& surface, const std::vector<Loop>& loops, int first, int second) {
+    const std::vector<double> distances = geodesic_distances(surface, beginnings_of(loops[first]));
+    Pair pair;
+    for (const int side : loops[second])
+        if (const double here = distances[surface.from(side)]; here < pair.distance)
+            pair = {static_cast<std::size_t>(first), beginning_of(side), here};
+    return pair;
+}
+
 /// Of each vertex the place of the curve that it is nearest to: that of the neighbour by which its distance came. −1 on
-/// pieces without one.
+/// pieces without one, and where no neighbour is nearer, which obtuse triangles may bring about.
 std::vector<int> nearest_loops(const Surface& surface, const std::vector<Loop>& loops,
                                const std::vector<double>& distances) {
     std::vector<int> nearest(static_cast<std::size_t>(surface.vertex_count()), -1), neighbours = nearest;
@@ -113,25 +128,40 @@ std::vector<int> nearest_loops(const Surface& surface, const std::vector<Loop>& 
     return nearest;
 }
 
-/// The way between them goes over an edge between what is nearest to the one and what is nearest to the other.
-std::optional<Pair> nearest_pair(const Surface& surface, const std::vector<Loop>& loops) {
+/// The least of the ways between curves along an edge of which the ends are nearest to one each, longer than those over
+/// the surface by no more than triangles are wide; and which curves they are.
+using Neighbours = std::map<std::pair<int, int>, double>;
+
+Neighbours neighbours_of(const Surface& surface, const std::vector<Loop>& loops) {
     std::vector<SurfacePoint> sources;
-    for (const Loop& loop : loops) std::transform(loop.begin(), loop.end(), std::back_inserter(sources), beginning_of);
-    if (sources.empty()) return std::nullopt;
+    for (const Loop& loop : loops)
+        for (const SurfacePoint& point : beginnings_of(loop)) sources.push_back(point);
+    if (sources.empty()) return {};
     const std::vector<double> distances = geodesic_distances(surface, sources);
     const std::vector<int> nearest = nearest_loops(surface, loops, distances);
-    double least = std::numeric_limits<double>::infinity();
-    std::pair<int, int> pair;
+    Neighbours neighbours;
     for (int s = 0; s < 3 * surface.face_count(); ++s) {
         const int v = surface.from(s), w = surface.to(s);
+        if (nearest[v] == nearest[w] || nearest[v] < 0 || nearest[w] < 0) continue;
         const double way = distances[v] + surface.length_of(s) + distances[w];
-        if (nearest[v] == nearest[w] || !(way < least)) continue;
-        least = way;
-        pair = std::minmax(nearest[v], nearest[w]);
+        const auto [place, is_new] = neighbours.try_emplace(std::minmax(nearest[v], nearest[w]), way);
+        place->second = std::min(place->second, way);
     }
-    if (!std::isfinite(least)) return std::nullopt;
-    return Pair{static_cast<std::size_t>(pair.first),
-                nearest_beginning(surface, loops[pair.first], loops[pair.second])};
+    return neighbours;
+}
+
+/// Of curves that are neighbours those with the least ways are measured.
+std::optional<Pair> nearest_pair(const Surface& surface, const std::vector<Loop>& loops) {
+    std::vector<std::tuple<double, int, int>> candidates;
+    for (const auto& [pair, way] : neighbours_of(surface, loops)) candidates.emplace_back(way, pair.first, pair.second);
+    std::sort(candidates.begin(), candidates.end());
+    Pair best;
+    for (std::size_t k = 0; k < std::min(k_most_measured, candidates.size()); ++k) {
+        const auto [way, first, second] = candidates[k];
+        if (const Pair pair = measured(surface, loops, first, second); pair.distance < best.distance) best = pair;
+    }
+    if (!std::isfinite(best.distance)) return std::nullopt;
+    return best;
 }
 
 }  // namespace
@@ -147,10 +177,11 @@ CutLine shortest_cut_between_borders(const Surface& surface) {
     const std::vector<Loop> loops = surface.boundary_loops();
     const std::optional<Pair> pair = nearest_pair(surface, loops);
     if (!pair) throw Error(ErrorCode::bad_option, "the surface has no two borders that a cut could join");
-    const SurfacePoint end = nearest_on(surface, pair->on_second, {loops[pair->first]})->point;
+    const Reached there = *nearest_on(surface, pair->on_second, {loops[pair->first]});
     std::vector<Loop> others = loops;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(pair->first));
-    return {end, nearest_on(surface, end, others)->point};
+    const Reached back = *nearest_on(surface, there.point, others);
+    return {there.point, back.way < there.way ? back.point : pair->on_second};
 }
 
 }  // namespace chebnet

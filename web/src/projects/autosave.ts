@@ -3,7 +3,7 @@ import type { App } from '../app/app';
 import type { Project } from '../document/project';
 import { type HistoryView, Measure } from '../document/undo';
 import { projectFormat } from './format';
-import { hasName, keep, newId, release } from './kept';
+import { enlist, hasName, keep, newId, release } from './kept';
 import { lazy } from '../lazy';
 
 const collection = lazy(() => import('./collection'));
@@ -90,6 +90,7 @@ export class Autosave {
       const { writeProject } = await projectFormat();
       await keep(id, writeProject(project, present.bytes + LARGEST_HISTORY));
       this.#refused = false;
+      await enlist(id);
       // Only then the list of projects can show it.
       await this.#noteLook(id);
     } catch {

@@ -96,15 +96,19 @@ export async function findNewest(except: string | null): Promise<KeptProject | u
   return newest === undefined ? undefined : read(newest);
 }
 
-export async function keep(id: string, project: unknown): Promise<void> {
+/** Firefox refuses the first write after one for which there was no room. */
+export function keep(id: string, project: unknown): Promise<void> {
+  return write(id, project).catch(() => write(id, project));
+}
+
+/** What is kept becomes the newest, and this tab's; too many others that nobody has open or has named are forgotten. */
+export async function enlist(id: string): Promise<void> {
   let forgotten: string[] = [];
   const note = (ids: string[] = []): string[] => {
     const all = [id, ...ids.filter((other) => other !== id)];
     forgotten = all.filter((each) => !Object.hasOwn(names, each) && !held.has(lockOf(each))).slice(MOST);
     return all.filter((each) => !forgotten.includes(each));
   };
-  // Firefox refuses the first write after one for which there was no room.
-  await write(id, project).catch(() => write(id, project));
   const names = (await get<Record<string, string>>(NAMES, store)) ?? {};
   const held = await heldLocks();
   await update(INDEX, note, store);
