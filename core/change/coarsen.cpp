@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "change/corner_edges.h"
+#include "change/folded.h"
 #include "net/rods.h"
 
 namespace chebnet {
@@ -162,6 +163,7 @@ private:
         for (const Quad& quad : quads)
             coarser.mesh.faces.add(
                 {new_vertex[quad[0]], new_vertex[quad[1]], new_vertex[quad[2]], new_vertex[quad[3]]});
+        check_not_folded(coarser.mesh.faces);
         return coarser;
     }
 

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "change/corner_edges.h"
 #include "change/cut.h"
+#include "change/folded.h"
 #include "change/used_vertices.h"
 
 namespace chebnet {
@@ -141,6 +142,7 @@ ChangedMesh without_line(const Net& net, const ChangePlace& place) {
             refuse("the net is but two rows wide there: nothing would be left between its lines");
         left.add(quad);
     }
+    check_not_folded(left);
     return with_vertices_of(left, net);
 }
 

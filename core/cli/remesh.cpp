@@ -201,9 +201,8 @@ Command add_remesh(CLI::App& program) {
     command
         .add_option("--border", arguments->border,
                     "Where the surface ends: in a net line (always), in one, but in steps around holes (outer), in "
-                    "steps (never), "
-                    "or with net lines that run up to it at 45 degrees (across); fitting: as fits best, left open "
-                    "along gaps where all others would crumple")
+                    "steps (never), or with net lines that run up to it at 45 degrees (across); fitting: as fits best, "
+                    "left open along gaps where all others would crumple")
         ->check(CLI::IsMember(k_borders))
         ->capture_default_str();
     add_net_output(command, "-o,--out,--output", arguments->output)->type_name("OUT");

@@ -21,8 +21,8 @@ constexpr int k_trial_cells = 1000;
 constexpr std::size_t k_finals = 4;  // how many are tried with the edges asked for
 constexpr int k_most_samples = 2000;
 constexpr int k_lloyd_steps = 6;
-// A much sheared cell counts as so much of an uncovered one, and so does a radian of shear of all of them, which
-// decides among nets that are nowhere much sheared, and a cell one edge length off the surface.
+// A much sheared cell counts as so much of an uncovered one, and so does the shear of all of them, in radians, squared,
+// which decides among nets that are nowhere much sheared, and a cell one edge length off the surface.
 constexpr double k_much_shear_weight = 0.05, k_shear_weight = 0.01, k_distance_weight = 0.2;
 
 /// Of triangles all over the surface, their middles.

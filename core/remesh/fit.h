@@ -19,8 +19,8 @@ struct FitOptions {
     std::vector<Segment> creases;  ///< on the surface, which net lines near them follow
     bool suits_creases = false;    ///< if no length is given, it is the one with which net lines along creases are as
                                    ///< long as these: closed ones are not followed else
-    std::vector<bool> border;  ///< of each side of the surface, whether it is on a border where the mesh's is to be,
-                               ///< and its corners at corners; empty: none is
+    std::vector<bool> border;      ///< of each side of the surface, whether it is on a border where the mesh's is to
+                                   ///< be, and its corners at corners; empty: none is
 };
 
 /// A net with the mesh's faces near the surface, all edges of one length and no corner sharper than the limit.
