@@ -58,13 +58,11 @@ bool Editor::take_in_hand(const Positions& from) {
     if (!(max_deviation(*m_net, from) < m_options.threshold)) return false;
     for (const Handle& handle : m_handles) {
         if (!handle.is_exact() || handle.holds_at(from.col(handle.vertex))) continue;
-        m_in_hand.push_back(handle.vertex);
-        m_is_in_hand[handle.vertex] = true;
+        m_hand.take(handle.vertex, Hand::Owner::solve);
     }
-    if (m_in_hand.empty()) return false;
-    m_took_in_hand = true;
+    if (m_hand.is_empty()) return false;
     m_positions = from;
-    m_by_hand->way.set_handles(HeldVertices(m_net->vertex_count(), m_in_hand, {}), *m_topology);
+    m_by_hand->way.set_handles(HeldVertices(m_net->vertex_count(), m_hand.vertices(), {}), *m_topology);
     draw_a_step();
     return true;
 }
@@ -73,7 +71,7 @@ bool Editor::take_in_hand(const Positions& from) {
 void Editor::draw_a_step() {
     auto& [before, until, way, goals, since, found] = *m_by_hand;
     Positions to = m_positions;
-    for (int vertex : m_in_hand) to.col(vertex) = m_handles[m_handle_at[vertex]].target;
+    for (int vertex : m_hand.vertices()) to.col(vertex) = m_handles[m_handle_at[vertex]].target;
     way.begin(m_positions, to, m_net->mean_length());
     way.go_to(way.next());
     goals = way.walked() < 1 ? Positions(m_positions + way.moves_to(way.walked(), m_positions)) : to;
@@ -83,7 +81,7 @@ void Editor::draw_a_step() {
 
 /// Where a handle is to be now.
 Eigen::Vector3d Editor::goal(const Handle& handle) const {
-    const bool is_on_step = m_took_in_hand && m_is_in_hand[handle.vertex] && m_by_hand->way.walked() < 1;
+    const bool is_on_step = draws_handles() && m_hand.holds(handle.vertex) && m_by_hand->way.walked() < 1;
     return is_on_step ? Eigen::Vector3d(m_by_hand->goals.col(handle.vertex)) : handle.target;
 }
 
@@ -91,12 +89,12 @@ Eigen::Vector3d Editor::goal(const Handle& handle) const {
 /// its end, and walks on from there; where that leads no farther, it is drawn by the next step.
 bool Editor::goes_on_by_hand(SolveReport& report) {
     const bool is_net = max_deviation(*m_net, m_positions) < m_options.threshold;
-    if (is_net && m_holds_back && is_nearly_there()) {
+    if (is_net && m_hand.holds_back() && is_nearly_there()) {
         m_by_hand->since = m_iterations;
         hold_back(false);
         return true;
     }
-    const bool is_held = is_net && !m_holds_back, is_stuck = report.status == Status::unreachable;
+    const bool is_held = is_net && !m_hand.holds_back(), is_stuck = report.status == Status::unreachable;
     const bool may_draw = m_iterations > m_by_hand->since && m_iterations < m_by_hand->until;
     if (is_held && is_stuck && may_draw) {
         draw_a_step();
@@ -143,7 +141,7 @@ void Editor::take_better_net(SolveReport& report) {
 /// Handles on their way leave an exact net behind them, which says nothing of how far they have come.
 double Editor::deviation_with_hand_at_targets() const {
     Positions x = m_unit_positions;
-    for (int vertex : m_in_hand) {
+    for (int vertex : m_hand.vertices()) {
         const Handle& handle = m_handles[m_handle_at[vertex]];
         copy_along(k_all_axes - handle.slides, Eigen::Vector3d(handle.target / m_unit).data(), x.col(vertex).data());
     }
@@ -159,7 +157,7 @@ bool Editor::has_all_in_place() const {
 /// The status of what take_in_hand() took, while it is under way: a step has its end.
 Status Editor::status_by_hand() const {
     const bool has_time =
-        m_iterations - m_by_hand->since < k_most_of_a_step && (!m_holds_back || m_iterations < m_by_hand->until);
+        m_iterations - m_by_hand->since < k_most_of_a_step && (!m_hand.holds_back() || m_iterations < m_by_hand->until);
     return has_time || m_by_hand->way.walked() == 1 ? Status::running : Status::exact;
 }
 

@@ -104,7 +104,7 @@ Editor::Editor(Net net)
       m_positions(m_net->rest_positions()),
       m_last_net(m_positions),
       m_handle_at(static_cast<std::size_t>(m_net->vertex_count()), -1),
-      m_is_in_hand(static_cast<std::size_t>(m_net->vertex_count()), false),
+      m_hand(m_net->vertex_count()),
       m_method_name(k_default_method),
       m_method(make_method(k_default_method)) {}
 
@@ -135,46 +135,40 @@ void Editor::drag_handle(int vertex, const Eigen::Vector3d& target, Axes along) 
     if (along != k_all_axes && !is_part(along)) throw Error(ErrorCode::bad_option, "a hand keeps to x, y or z");
     const std::size_t place = place_of_handle(vertex);
     if (!m_method->goes_from_net_to_net()) return move_handle(vertex, target);
-    if (m_is_released || m_took_in_hand) let_go();
-    keep_hand_to(along);
+    if (m_hand.owner() != Hand::Owner::user) let_go();
     Handle& handle = m_handles[place];
-    if (handle.is_exact() && !m_is_in_hand[vertex]) {
-        m_in_hand.push_back(vertex);
-        m_is_in_hand[vertex] = true;
-        if (m_holds_back) m_prepared = false;
+    if (handle.is_exact()) {
+        if (m_hand.take(vertex, Hand::Owner::user) && m_hand.holds_back()) hold_otherwise();
+        m_hand.hold_again(false);
+        keep_hand_to(along);
     }
     move(handle, target);
-    m_was_nearly_there = false;
 }
-
-void Editor::release_handles() { m_is_released = !m_in_hand.empty(); }
 
 std::vector<Handle> Editor::standing_handles() const {
     std::vector<Handle> handles = m_handles;
-    if (m_took_in_hand) return handles;
-    for (int vertex : m_in_hand) handles[m_handle_at[vertex]].target = m_positions.col(vertex);
+    if (draws_handles()) return handles;
+    for (int vertex : m_hand.vertices()) handles[m_handle_at[vertex]].target = m_positions.col(vertex);
     return handles;
 }
 
 /// Those that are still on their way, or held back, stay where they are; those that a solve has taken in hand are to be
 /// at their targets.
 void Editor::let_go() {
+    if (m_hand.is_empty()) return;
     m_handles = standing_handles();
-    if (m_took_in_hand) snap(m_handles, m_positions);
+    if (draws_handles()) snap(m_handles, m_positions);
     empty_hand();
 }
 
 void Editor::empty_hand() {
-    for (int vertex : m_in_hand) m_is_in_hand[vertex] = false;
-    m_in_hand.clear();
-    m_hand_along = k_all_axes;
     hold_back(false);
-    m_is_released = m_took_in_hand = false;
+    m_hand.empty();
 }
 
 /// Held at its target by the method, rather than pulled there.
 bool Editor::is_held(const Handle& handle) const {
-    return handle.is_exact() && !(m_holds_back && m_is_in_hand[handle.vertex]);
+    return handle.is_exact() && !(m_hand.holds_back() && m_hand.holds(handle.vertex));
 }
 
 /// After a solve. What is in hand may still be on its way; where it has arrived it takes its target's own digits.
@@ -184,30 +178,33 @@ void Editor::snap_held() {
         const int vertex = handle.vertex;
         const Axes axes = is_held(handle) ? handle.slides : axes_now(handle);
         const bool has_arrived =
-            !m_is_in_hand[vertex] || across(axes, m_unit_positions.col(vertex)) == across(axes, handle.target / m_unit);
+            !m_hand.holds(vertex) || across(axes, m_unit_positions.col(vertex)) == across(axes, handle.target / m_unit);
         handle.follow(m_positions.col(vertex));
         if (has_arrived) copy_along(k_all_axes - axes, handle.target.data(), m_positions.col(vertex).data());
     }
 }
 
 void Editor::keep_hand_to(Axes axes) {
-    if (m_hand_along == axes) return;
-    m_hand_along = axes;
-    if (!m_holds_back) return;
-    m_prepared = false;
-    m_running = false;
+    if (m_hand.along() == axes) return;
+    m_hand.keep_to(axes);
+    if (m_hand.holds_back()) hold_otherwise();
 }
 
 void Editor::hold_back(bool on) {
-    if (m_holds_back == on) return;
-    m_holds_back = on;
+    if (m_hand.holds_back() == on) return;
+    m_hand.hold_back(on);
+    hold_otherwise();
+}
+
+/// What is held at its place is no longer what the method knows of.
+void Editor::hold_otherwise() {
     m_prepared = false;
     m_running = false;
 }
 
 bool Editor::is_nearly_there() const {
     const double near = k_nearly_there * m_unit_net->mean_length();
-    return std::all_of(m_in_hand.begin(), m_in_hand.end(), [&](int vertex) {
+    return std::all_of(m_hand.vertices().begin(), m_hand.vertices().end(), [&](int vertex) {
         return (m_unit_positions.col(vertex) - goal(m_handles[m_handle_at[vertex]]) / m_unit).stableNorm() < near;
     });
 }
@@ -217,13 +214,13 @@ bool Editor::is_nearly_there() const {
 /// kept, in all of them; where it has come near all the same, it is held again, once; and where even that is no net,
 /// because of other handles, it is moved as by move_handle().
 bool Editor::goes_on_otherwise(Status status) {
-    if (m_in_hand.empty()) {
+    if (m_hand.is_empty()) {
         if (!(m_may_take_in_hand && m_reachable && status == Status::unreachable)) return false;
         take_in_hand();
         return true;  // also without: by lengths alone
     }
-    if (status == Status::unreachable && m_holds_back) {
-        if (m_hand_along != k_all_axes)
+    if (status == Status::unreachable && m_hand.holds_back()) {
+        if (m_hand.along() != k_all_axes)
             keep_hand_to(k_all_axes);
         else
             empty_hand();
@@ -232,12 +229,12 @@ bool Editor::goes_on_otherwise(Status status) {
     if (status == Status::unreachable || m_stops_short) {
         // A core without slides says so here, before it holds anything back: one with them goes on from this state.
         m_running = false;
-        if (is_part(m_hand_along)) check_slide(m_in_hand.front(), m_hand_along, true);
+        if (is_part(m_hand.along())) check_slide(m_hand.vertices().front(), m_hand.along(), true);
         hold_back(true);
         return true;
     }
-    if (!m_holds_back || m_was_nearly_there || !is_nearly_there()) return false;
-    m_was_nearly_there = true;
+    if (!m_hand.holds_back() || m_hand.has_held_again() || !is_nearly_there()) return false;
+    m_hand.hold_again(true);
     hold_back(false);
     return true;
 }
@@ -330,15 +327,17 @@ void Editor::set_state(EditState next) {
     check_softness(next.handles, other_method ? *other_method : *m_method, next.method);
     check_positions(*m_net, next.positions);
     if (next.locality) check_locality(*m_net, *next.locality);
+    // Handles that a solve is drawing are not where the form below has them.
+    const bool is_present = next == present, has_present_positions = next.positions == present.positions;
     const Positions given = next.positions;
     normalise(next);
-    if (next == present && m_in_hand.empty()) return;  // a solve under way goes on
+    if ((is_present || next == present) && (m_hand.is_empty() || draws_handles())) return;  // a solve under way goes on
     std::optional<Region> region = region_of(next.locality);
     let_go();
 
     if (next.options.length_scale != present.options.length_scale) {
         const double factor = next.options.length_scale / present.options.length_scale;
-        if (next.positions == present.positions) {
+        if (has_present_positions) {
             next.locality.reset();
             next.positions = grown(next.positions, factor);
             snap(next.handles, next.positions);
@@ -368,6 +367,8 @@ void Editor::set_state(EditState next) {
         m_last_net = given;
     else if (is_net(m_positions))
         m_last_net = m_positions;
+    else if (!has_present_positions)
+        m_last_net = m_net->rest_positions();
     m_running = false;
 }
 
@@ -426,7 +427,7 @@ std::optional<Region> Editor::region_of(const std::optional<Locality>& locality)
 /// Along which its vertex may move now: held back, along those of the hand, too.
 Axes Editor::axes_now(const Handle& handle) const {
     if (!handle.is_exact()) return k_all_axes;
-    const Axes axes = is_held(handle) ? handle.slides : handle.slides | m_hand_along;
+    const Axes axes = is_held(handle) ? handle.slides : handle.slides | m_hand.along();
     const bool can_slide = m_method->knows_slides() && !(m_region && m_region->is_outside(handle.vertex));
     if (is_part(axes) && !can_slide) return is_held(handle) ? k_no_axes : k_all_axes;
     return axes;
@@ -485,7 +486,7 @@ void Editor::collect_pulls() {
 
 Problem Editor::problem() const {
     return {*m_unit_net, *m_topology,        m_fixed,  m_pulls,           m_reachable, &m_unit_last_net, m_guide,
-            m_unit,      !m_in_hand.empty(), m_slides, m_may_take_in_hand};
+            m_unit,      !m_hand.is_empty(), m_slides, m_may_take_in_hand};
 }
 
 void Editor::prepare() {
@@ -506,7 +507,8 @@ void Editor::draw_targets_near() {
     }
     const double farthest = k_farthest_target * m_net->mean_length();
     const std::vector<UnreachablePair> pairs = unreachable_pairs();
-    m_stops_short = !pairs.empty() && !m_holds_back && !m_in_hand.empty() && !m_region && draw_within_reach(targets);
+    m_stops_short =
+        !pairs.empty() && !m_hand.holds_back() && !m_hand.is_empty() && !m_region && draw_within_reach(targets);
     m_reachable =
         (pairs.empty() || m_stops_short) && (count == 0 || (targets - rest).cwiseAbs().maxCoeff() <= farthest);
     if (!m_reachable) targets = near_targets(handle_graph(), m_net->mean_length(), targets, rest);
@@ -515,7 +517,7 @@ void Editor::draw_targets_near() {
         const Handle* b = find_handle(pair.vertex_b);
         return is_held(*find_handle(pair.vertex_a)) && (b == nullptr || is_held(*b));
     };
-    if (m_holds_back) m_reachable = std::none_of(pairs.begin(), pairs.end(), both_held);
+    if (m_hand.holds_back()) m_reachable = std::none_of(pairs.begin(), pairs.end(), both_held);
     m_near_targets = targets / m_unit;
 }
 
@@ -524,7 +526,7 @@ void Editor::draw_targets_near() {
 bool Editor::draw_within_reach(Eigen::Matrix3Xd& targets) const {
     for (int round = 0; round < k_most_drawn; ++round) {
         bool is_within = true;
-        for (int vertex : m_in_hand)
+        for (int vertex : m_hand.vertices())
             for (const auto& [other, distance] : handle_graph().neighbours(m_handle_at[vertex])) {
                 auto target = targets.col(m_handle_at[vertex]);
                 if ((target - targets.col(other)).stableNorm() <= distance) continue;
@@ -599,7 +601,8 @@ Status Editor::begin_solve(Trace& trace) {
     if (!m_prepared) prepare();
     collect_pulls();
     load_positions();
-    if (max_deviation(*m_unit_net, m_unit_positions) >= m_options.threshold) {
+    // What a hand drags is led from net to net, not to where something else would begin.
+    if (m_hand.is_empty() && max_deviation(*m_unit_net, m_unit_positions) >= m_options.threshold) {
         const double prepared_ms = watch.milliseconds();
         for (TraceRow& row : m_initialisation.apply(m_unit_positions)) {
             row.total_ms += prepared_ms;
@@ -634,7 +637,7 @@ SolveReport Editor::solve(const Budget& budget) {
 
 /// The method starts a new solve at the next call. Handles that this one was drawing are at their targets again.
 void Editor::refuse_size(const std::string& reason) {
-    if (m_took_in_hand) give_up_by_hand();
+    if (draws_handles()) give_up_by_hand();
     m_prepared = false;
     m_running = false;
     const std::string way_out = m_method_name == "projection" ? "make it coarser" : "projection needs less";
@@ -651,7 +654,7 @@ SolveReport Editor::go_on(const Budget& budget) {
         m_iterations = 0;
         m_elapsed_ms = 0;
         // What is pressed together would come out crumpled where it is made a net by its lengths alone.
-        m_may_take_in_hand = m_in_hand.empty() && !m_region;
+        m_may_take_in_hand = m_hand.is_empty() && !m_region;
         m_by_hand.reset();
         m_net_before = m_last_net;
         report.status = begin_solve(report.trace);
@@ -660,7 +663,7 @@ SolveReport Editor::go_on(const Budget& budget) {
         if (report.status != Status::running) {
             if (has_moved) store_positions();
             const bool found_rest = report.status == Status::converged;
-            const bool goes_on = m_took_in_hand ? goes_on_by_hand(report) : goes_on_otherwise(report.status);
+            const bool goes_on = draws_handles() ? goes_on_by_hand(report) : goes_on_otherwise(report.status);
             if (!goes_on && (found_rest || !find_taut_lines())) break;
             report.status = begin_solve(report.trace);
             has_moved = false;
@@ -668,7 +671,7 @@ SolveReport Editor::go_on(const Budget& budget) {
         }
         if (m_iterations >= m_options.max_iterations) {
             report.status = m_reachable ? Status::max_iterations : Status::unreachable;
-            if (m_took_in_hand) continue;
+            if (draws_handles()) continue;
             break;
         }
         const bool budget_spent = report.iterations >= budget.iterations || watch.milliseconds() >= budget.milliseconds;
@@ -677,8 +680,8 @@ SolveReport Editor::go_on(const Budget& budget) {
         report.status = iterate(row);
         has_moved = true;
         row.iteration = ++m_iterations;
-        if (report.status == Status::running && m_took_in_hand) report.status = status_by_hand();
-        if (m_took_in_hand) row.max_deviation = deviation_with_hand_at_targets();
+        if (report.status == Status::running && draws_handles()) report.status = status_by_hand();
+        if (draws_handles()) row.max_deviation = deviation_with_hand_at_targets();
         row.total_ms = m_elapsed_ms + watch.milliseconds();
         report.factorisation_ms += row.factorisation_ms;
         report.trace.push_back(row);
@@ -692,7 +695,7 @@ SolveReport Editor::go_on(const Budget& budget) {
     if (report.max_deviation < m_options.threshold) m_last_net = m_positions;
     if (keeps_lengths(report.status) && !(report.max_deviation < m_options.threshold))
         report.status = Status::unreachable;  // the net is exact, but only where the handles were drawn near
-    if (!m_running && m_is_released) let_go();
+    if (!m_running && m_hand.owner() == Hand::Owner::released) let_go();
     report.milliseconds = watch.milliseconds();
     m_elapsed_ms += report.milliseconds;
     return report;
@@ -761,7 +764,7 @@ std::vector<Ball> Editor::reach(int vertex) const {
 
 Eigen::VectorXf Editor::mobility(double radius, std::span<const int> origins) const {
     check_locality(*m_net, {radius, {origins.begin(), origins.end()}, {}});
-    if (origins.empty()) return Eigen::VectorXf::Ones(m_net->vertex_count());
+    if (origins.empty() || !std::isfinite(radius)) return Eigen::VectorXf::Ones(m_net->vertex_count());
     return chebnet::mobility(*m_original, *m_topology, origins, radius);
 }
 
@@ -773,7 +776,7 @@ bool Editor::are_joined(int a, int b) const {
 double Editor::handle_error() const {
     double largest = 0;
     for (const Handle& handle : m_handles)
-        if (handle.is_exact() && !m_is_in_hand[handle.vertex])
+        if (handle.is_exact() && !m_hand.holds(handle.vertex))
             largest = std::max(largest, (m_positions.col(handle.vertex) - handle.target).norm());
     return largest;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "edit/edit_state.h"
+#include "edit/hand.h"
 #include "edit/handle_graph.h"
 #include "edit/locality.h"
 #include "edit/taut_lines.h"
@@ -61,7 +62,7 @@ public:
     /// 3×V, the last positions in which every edge had its length; the rest positions if there were none.
     const Positions& last_net() const { return m_last_net; }
     /// Whether a solve under way draws exact handles to their targets step by step: they are short of them meanwhile.
-    bool draws_handles() const { return m_took_in_hand; }
+    bool draws_handles() const { return m_hand.owner() == Hand::Owner::solve; }
     /// handles(), but those in hand where they stand.
     std::vector<Handle> standing_handles() const;
     const Options& options() const { return m_options; }
@@ -99,9 +100,9 @@ public:
     void drag_handle(int vertex, const Eigen::Vector3d& target, Axes along = k_all_axes);
     /// Lets go of what is in hand: at the end of the solve under way, or of the next, handles that are held back take
     /// the place where they stand as their target. Any other change of the state lets go at once.
-    void release_handles();
+    void release_handles() { m_hand.release(); }
     /// Whether handles in hand are held back now.
-    bool holds_back() const { return m_holds_back && !m_took_in_hand; }
+    bool holds_back() const { return m_hand.holds_back() && !draws_handles(); }
     /// From now on only what lies within `radius` of the `origins` may move, in mean edge lengths along the net, and
     /// the harder the closer to that border (see Region; methods that know no pulls have the border only). All else
     /// stays exactly where it stands, until the next call, or until other handles are moved or all set, positions are
@@ -186,6 +187,7 @@ private:
     bool is_nearly_there() const;
     void keep_hand_to(Axes axes);
     void hold_back(bool on);
+    void hold_otherwise();
     bool goes_on_otherwise(Status status);
     bool take_in_hand();
     bool take_in_hand(const Positions& from);
@@ -227,15 +229,10 @@ private:
     std::vector<int> m_handle_at;  // V, the place of the handle that holds a vertex, −1 where there is none
     mutable std::optional<HandleGraph> m_handle_graph;  // made when needed
     std::optional<Region> m_region;                     // none: everything may move
-    std::vector<int> m_in_hand;                         // exact handles, by vertex
-    std::vector<bool> m_is_in_hand;                     // V
-    Axes m_hand_along = k_all_axes;                     // to which the hand is kept
-    bool m_holds_back = false;                          // those in hand are pulled, not held
-    bool m_was_nearly_there = false;                    // and holding them has been tried again
-    bool m_is_released = false;                         // in hand until the solve ends
-    // Of the solve under way: whether it may take handles in hand itself, and has; what it knows then; and the last net
+    Hand m_hand;
+    // Of the solve under way: whether it may take handles in hand itself; what it knows since it has; and the last net
     // before it.
-    bool m_may_take_in_hand = false, m_took_in_hand = false;
+    bool m_may_take_in_hand = false;
     struct ByHand;
     std::shared_ptr<ByHand> m_by_hand;  // null: it has not
     Positions m_net_before;

@@ -244,6 +244,48 @@ TEST_CASE("Handles that a solve is drawing are at their targets once another one
     CHECK(taken.editor.handle_error() == 0);
 }
 
+TEST_CASE("The present state is no other while a solve is drawing handles, and the net grows from where it is") {
+    const Eigen::Vector3d target = Taken().crown + Eigen::Vector3d(-2, 0, 0);
+    Taken taken = drawn_to(target);
+    const Positions now = taken.editor.positions();
+    taken.editor.set_option("shear_limit", "30");
+    taken.editor.set_state(taken.editor.state());
+    CHECK(taken.editor.draws_handles());
+    CHECK(taken.editor.positions() == now);
+
+    taken.editor.set_option("length_scale", "1.25");
+    CHECK(!taken.editor.draws_handles());
+    CHECK(taken.now() == target);
+    const auto edge = [&](const Positions& x) { return (x.col(27) - x.col(28)).norm(); };  // away from all handles
+    CHECK(edge(taken.editor.positions()) == Approx(1.25 * edge(now)));
+}
+
+TEST_CASE("Drag: what is done to the positions before a solve does not keep a hand from where it goes") {
+    Taken taken;
+    taken.editor.set_initialisation("arap:3");
+    for (const double height : {0.1, 0.2}) {
+        taken.editor.drag_handle(k_handle, taken.at(height));
+        CHECK(taken.editor.solve().status == Status::converged);
+        CHECK(!taken.editor.holds_back());
+        CHECK(taken.now() == taken.at(height));
+    }
+}
+
+TEST_CASE("Drag: a soft handle that is dragged along an axis keeps none to it that a solve draws") {
+    const auto drawn = [](Axes along) {
+        Taken taken;
+        std::vector<Handle> handles = taken.editor.handles();
+        handles[0].weight = 1;
+        taken.editor.set_handles(handles);
+        taken.editor.solve();
+        taken.editor.move_handle(k_handle, taken.crown + Eigen::Vector3d(-2, 0, 0));
+        taken.editor.drag_handle(0, handles[0].target, along);
+        taken.editor.solve();
+        return taken.editor.positions();
+    };
+    CHECK(drawn(1) == drawn(k_all_axes));
+}
+
 TEST_CASE("A trace tells of a net only once handles that a solve draws to their targets are there") {
     Taken taken;
     const Eigen::Vector3d target = taken.crown + Eigen::Vector3d(-2, 0, 0);  // where no walk leads

@@ -118,6 +118,25 @@ TEST_CASE("Editors that were set to the same state go on to the same positions, 
     check_same(first.state(), second.state());
 }
 
+TEST_CASE("Where a state is no net, the net of another state does not count as its last") {
+    const auto at = [](double way) {
+        std::vector<Handle> handles = samples::handles_at_rest(net(), {0, 8, 63, k_dragged});
+        handles.back().target.x() += way;
+        return handles;
+    };
+    Editor first(net()), second(net());
+    first.set_handles(at(30));
+    REQUIRE(first.solve().status == Status::unreachable);
+    const EditState stretched = first.state();
+    first.reset();
+    first.set_handles(at(-1.5));
+    REQUIRE(keeps_lengths(first.solve().status));
+    REQUIRE(first.last_net() != net().rest_positions());
+    first.set_state(stretched);
+    second.set_state(stretched);
+    CHECK(first.last_net() == second.last_net());
+}
+
 TEST_CASE("A state with anything wrong in it is refused whole") {
     const EditState good = edited().state();
     const Eigen::Vector3d origin = Eigen::Vector3d::Zero();

@@ -473,6 +473,43 @@ TEST_CASE("Equilibrium: a net that nothing holds does not fall, and hangs as soo
     CHECK(std::abs(editor.positions()(2, 40) - before) < 5);
 }
 
+TEST_CASE("Equilibrium: of two pieces the one that is held hangs, and the other does not fall") {
+    const Net sheet = samples::patch(9, 9, 0), both = samples::twice(sheet, {20, 0, 0});
+    const auto hung = [&](const Net& net) {
+        Editor editor(net);
+        editor.set_option("gravity", "0.01");
+        std::vector<Handle> handles = samples::handles_at_rest(net, {0, 8, 72, 80});
+        for (Handle& handle : handles) handle.target -= 0.1 * (handle.target - net.rest_positions().col(40));
+        editor.set_handles(handles);
+        CHECK(editor.solve().status == Status::converged);
+        return editor.positions();
+    };
+    const Positions alone = hung(sheet), together = hung(both);
+    CHECK((together.leftCols(81) - alone).colwise().norm().maxCoeff() < 1e-4);
+    CHECK(alone(2, 40) < -1);
+    CHECK((together.rightCols(81) - both.rest_positions().rightCols(81)).colwise().norm().maxCoeff() < 1e-6);
+}
+
+TEST_CASE("Equilibrium: a piece without handles stays where it is when those of another go home") {
+    const Net net = samples::twice(samples::patch(7, 6), {20, 0, 0});
+    Editor editor(net);
+    std::vector<Handle> moved = samples::handles_at_rest(net, {42, 48, 83});
+    for (Handle& handle : moved) handle.target.y() += 5;
+    editor.set_handles(moved);
+    REQUIRE(editor.solve().status == Status::converged);
+    const Positions free = editor.positions().rightCols(42);
+
+    const std::vector<Handle> home = samples::handles_at_rest(net, {0, 6, 35, 41});
+    editor.set_handles(home);
+    editor.solve();
+    for (const double height : {0.5, 0.0}) {
+        editor.move_handle(41, home.back().target + Eigen::Vector3d(0, 0, height));
+        REQUIRE(editor.solve().status == Status::converged);
+        CHECK((editor.positions().rightCols(42) - free).colwise().norm().maxCoeff() < 1e-6);
+    }
+    CHECK((editor.positions() - net.rest_positions()).leftCols(42).colwise().norm().maxCoeff() < 1e-6);
+}
+
 TEST_CASE("Equilibrium: a flat sheet squeezed within its plane arches upwards, at once and in frames alike") {
     const int n = 15;
     const Net net = samples::patch(n, n, 0);

@@ -186,6 +186,12 @@ TEST_CASE("Soft handles within a region pull, those beyond it stay") {
     CHECK(farthest_moved(editor, before) < 10);
 }
 
+TEST_CASE("Without a limit every piece of a net may move") {
+    const Editor editor(samples::twice(samples::patch(4, 3), {10, 0, 0}));
+    CHECK(editor.mobility(k_everything, std::vector{0}) == Eigen::VectorXf::Ones(24));
+    CHECK(editor.mobility(100, std::vector{0}).tail(12) == Eigen::VectorXf::Zero(12));
+}
+
 TEST_CASE("A locality that is no length, or is nowhere, is refused") {
     Editor editor = elephant();
     for (const double radius : {0.0, -1.0, std::nan("")})

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "edit/editor.h"
 #include "net/net.h"
@@ -70,6 +71,19 @@ inline Net mixed_mesh() {
     faces.add({0, 1, 7});
     faces.add({1, 2, 6, 7});
     faces.add({2, 3, 4, 5, 6});
+    return Net(x, faces);
+}
+
+/// A net and its copy, shifted: two pieces, the vertices of the second behind those of the first.
+inline Net twice(const Net& net, const Eigen::Vector3d& shift) {
+    Positions x(3, 2 * net.vertex_count());
+    x << net.rest_positions(), net.rest_positions().colwise() + shift;
+    Faces faces = net.faces();
+    for (int f = 0; f < net.face_count(); ++f) {
+        std::vector<int> copied(net.faces()[f].begin(), net.faces()[f].end());
+        for (int& v : copied) v += net.vertex_count();
+        faces.add(copied);
+    }
     return Net(x, faces);
 }
 

@@ -57,7 +57,7 @@ private:
     Status begin(Positions& positions, bool same_energy);
     bool is_held_as_net() const;
     Status without_rest(const Positions& positions) const;
-    bool is_carried() const;
+    std::vector<bool> weightless() const;
     bool prepare_energy(const Positions& positions, bool same_energy);
     void begin_walk_home();
     Stage first_stage(const Positions& positions);
@@ -263,28 +263,28 @@ void Equilibrium::begin_walk_home() {
         begin_at_rest_shape(m_walk.is_jump() ? m_walk.length() : HandleWalk::k_same);
 }
 
-/// Whether something keeps each piece of the net from falling for ever: at its height, or drawn towards a place.
-bool Equilibrium::is_carried() const {
-    if (m_options.gravity == 0) return true;
+/// V, what lies in pieces of the net that nothing keeps from falling for ever: at its height, or drawn towards a place.
+std::vector<bool> Equilibrium::weightless() const {
+    const bool is_drawn = m_guide && m_options.guide_mode != static_cast<int>(GuideMode::off) &&
+                          m_options.guide_mode != static_cast<int>(GuideMode::outside);
+    if (m_options.gravity == 0 || is_drawn) return {};
     constexpr int z = 2;
     std::vector<bool> carries(m_is_free.size());
     for (std::size_t v = 0; v < carries.size(); ++v) carries[v] = !m_is_free[v];
     for (const Slide& slide : m_slides) carries[slide.vertex] = !has_axis(slide.along, z);
     for (const Pull& pull : m_pulls) carries[pull.vertex] = true;
-    const auto has_carrier = [&](const std::vector<int>& piece) {
-        return std::any_of(piece.begin(), piece.end(), [&](int v) { return carries[v]; });
-    };
-    const std::vector<std::vector<int>> pieces = m_topology->components();
-    return std::all_of(pieces.begin(), pieces.end(), has_carrier);
+    std::vector<bool> falls(m_is_free.size(), false);
+    for (const std::vector<int>& piece : m_topology->components())
+        if (std::none_of(piece.begin(), piece.end(), [&](int v) { return carries[v]; }))
+            for (int v : piece) falls[v] = true;
+    return falls;
 }
 
 /// False if the systems for it would be too large.
 bool Equilibrium::prepare_energy(const Positions& positions, bool same_energy) {
     try {
         if (!same_energy) {
-            Options options = m_options;
-            if (!is_carried()) options.gravity = 0;
-            m_descent.choose_energy(m_rest_shape, options, m_pulls, m_guide.get(), m_unit, limit());
+            m_descent.choose_energy(m_rest_shape, m_options, m_pulls, m_guide.get(), m_unit, weightless(), limit());
             m_pulls_changed = false;
         }
         m_descent.prepare(*m_part, m_is_free, m_slides, m_pulls, positions);
@@ -421,9 +421,8 @@ bool Equilibrium::move_handles(double part, Positions& x) {
 void Equilibrium::add_bow(const Positions& x, Eigen::Matrix3Xd& moves) {
     const auto normal = normal_of_flat(*m_net, x);
     if (!normal) return;
-    Eigen::Matrix3Xd load(3, x.cols()), bow;
-    load.colwise() = *normal;
-    m_descent.give_way_to(load, bow);
+    Eigen::Matrix3Xd bow;
+    m_descent.give_way_to(*normal, bow);
     moves += part_of_bow(*m_net, x, moves, bow, m_options.gravity > 0) * bow;
 }
 
@@ -458,9 +457,12 @@ bool Equilibrium::begin_at_rest_shape(double nearer_than) {
     const Positions start = m_walk.placed(m_rest_shape, m_result);
     if (!(m_walk.way_left(start) < nearer_than)) return false;
     m_was_placed = true;
-    m_result = start;
     // As if nothing had been before, so that the end does not depend on it.
-    if (!prepare_energy(m_result, false)) return false;
+    if (!prepare_energy(start, false)) {
+        prepare_energy(m_result, false);  // more corners are sharp in the rest shape than here
+        return false;
+    }
+    m_result = start;
     m_descent.forget_multipliers();
     m_walk.forget_moves(m_net->vertex_count());
     m_walk.begin(m_result, m_walk.end(), m_net->mean_length());

@@ -23,7 +23,32 @@ constexpr double k_repeated = 0.95, k_most_repeated = 2;
 // What a net counts for, beside one handle, where handles alone do not say how a shape is turned.
 constexpr double k_free_weight = 1e-10;
 
+/// Of some vertices from a shape to where those that are held are to be, and as far as these do not tell, to where the
+/// others are.
+RigidMotion placing(const std::vector<int>& vertices, const Positions& shape, const Positions& places,
+                    const std::vector<bool>& is_held) {
+    const auto count = static_cast<Eigen::Index>(vertices.size());
+    Positions from(3, count), to(3, count);
+    Eigen::VectorXd weight(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const int v = vertices[i];
+        from.col(i) = shape.col(v);
+        to.col(i) = places.col(v);
+        weight[i] = is_held[v] ? 1 : 0;
+    }
+    if (weight.sum() < 3 || !fit_rigid_motion(from, to, weight).is_determined)
+        weight.array() += k_free_weight / static_cast<double>(count);
+    return fit_rigid_motion(from, to, weight);
+}
+
 }  // namespace
+
+void HandleWalk::set_handles(HeldVertices held, const Topology& topology) {
+    m_held = std::move(held);
+    m_topology = &topology;
+    m_pieces = topology.components();
+    for (std::vector<int>& piece : m_pieces) std::sort(piece.begin(), piece.end());
+}
 
 void HandleWalk::begin(const Positions& from, const Positions& to, double edge_length) {
     m_from = from;
@@ -72,12 +97,12 @@ bool HandleWalk::ends_as_in(const Positions& shape, const Positions& like) const
 Positions HandleWalk::placed(const Positions& shape, const Positions& like) const {
     Positions to = like;
     m_held.take_held(m_to, to);
-    Eigen::VectorXd weight = Eigen::VectorXd::Zero(to.cols());
-    for (int v : m_held.vertices()) weight[v] = 1;
-    if (m_held.vertices().size() < 3 || !fit_rigid_motion(shape, to, weight).is_determined)
-        weight.array() += k_free_weight / static_cast<double>(to.cols());
-    const RigidMotion motion = fit_rigid_motion(shape, to, weight);
-    for (Eigen::Index v = 0; v < to.cols(); ++v) to.col(v) = motion.of(shape.col(v));
+    std::vector<bool> is_held(static_cast<std::size_t>(to.cols()), false);
+    for (int v : m_held.vertices()) is_held[v] = true;
+    for (const std::vector<int>& piece : m_pieces) {
+        const RigidMotion motion = placing(piece, shape, to, is_held);
+        for (int v : piece) to.col(v) = motion.of(shape.col(v));
+    }
     return to;
 }
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <utility>
+#include <vector>
 
 #include "net/net.h"
 #include "net/topology.h"
@@ -17,10 +17,7 @@ namespace chebnet {
 class HandleWalk {
 public:
     /// Keeps a reference to the topology.
-    void set_handles(HeldVertices held, const Topology& topology) {
-        m_held = std::move(held);
-        m_topology = &topology;
-    }
+    void set_handles(HeldVertices held, const Topology& topology);
     const HeldVertices& held() const { return m_held; }
 
     /// From the first to the second, both 3×V; `edge_length`: the unit of the way.
@@ -53,8 +50,8 @@ public:
     double way_left(const Positions& from) const;
     /// Whether handles end as they are in this shape, wherever that is; `like`: see placed().
     bool ends_as_in(const Positions& shape, const Positions& like) const;
-    /// A shape, turned and shifted to where handles are to be, what slides to where `like` has it, and as far as that
-    /// leaves it free, to `like`.
+    /// A shape, each piece of it turned and shifted to where handles are to be, what slides to where `like` has it, and
+    /// as far as that leaves it free, to `like`.
     Positions placed(const Positions& shape, const Positions& like) const;
 
     /// Handles that are as near to their places in a shape, in edge lengths, are arranged as there.
@@ -63,6 +60,7 @@ public:
 private:
     const Topology* m_topology = nullptr;
     HeldVertices m_held;
+    std::vector<std::vector<int>> m_pieces;  // of the net, each with its vertices ascending
     Positions m_from, m_to;
     std::shared_ptr<const TurnedHandles> m_turned;  // null: all go straight
     double m_edge_length = 1, m_length = 0;

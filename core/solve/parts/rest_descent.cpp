@@ -50,6 +50,25 @@ constexpr int k_most_bows = 6, k_most_loads = 20;  // that are tried
 // A net has given way nowhere with less energy of bending than this.
 constexpr double k_unbent = 1e-9;
 
+/// V, what lies in pieces of a net without anything held, sliding or pulled. Empty where that is all of it, or nothing.
+std::vector<bool> loose_vertices(const Topology& topology, const std::vector<bool>& is_free,
+                                 std::span<const Slide> slides, std::span<const Pull> pulls) {
+    std::vector<bool> holds(is_free.size()), is_loose(is_free.size(), false);
+    for (std::size_t v = 0; v < holds.size(); ++v) holds[v] = !is_free[v];
+    for (const Slide& slide : slides) holds[slide.vertex] = true;
+    for (const Pull& pull : pulls) holds[pull.vertex] = true;
+    bool has_held = false, has_loose = false;
+    for (const std::vector<int>& piece : topology.components()) {
+        if (std::any_of(piece.begin(), piece.end(), [&](int v) { return holds[v]; })) {
+            has_held = true;
+            continue;
+        }
+        has_loose = true;
+        for (int v : piece) is_loose[v] = true;
+    }
+    return has_held && has_loose ? is_loose : std::vector<bool>();
+}
+
 }  // namespace
 
 void RestDescent::set_net(const Net& net, const Topology& topology) {
@@ -69,8 +88,9 @@ bool RestDescent::has_energy_of(const Options& options) const {
 }
 
 void RestDescent::choose_energy(const Positions& rest_shape, const Options& options, std::span<const Pull> pulls,
-                                const Guide* guide, double unit, CornerLimit limit) {
-    m_rest_energy.choose(*m_net, *m_topology, rest_shape, options, pulls, guide, unit);
+                                const Guide* guide, double unit, const std::vector<bool>& weightless,
+                                CornerLimit limit) {
+    m_rest_energy.choose(*m_net, *m_topology, rest_shape, options, pulls, guide, unit, weightless);
     m_limit = std::move(limit);
     m_constraints.reset();
     m_has_metric = false;
@@ -79,13 +99,24 @@ void RestDescent::choose_energy(const Positions& rest_shape, const Options& opti
 void RestDescent::prepare(const FreePart& part, const std::vector<bool>& is_free, std::span<const Slide> slides,
                           std::span<const Pull> pulls, const Positions& positions) {
     m_rest_energy.move_pulls(*m_net, pulls);
-    if (!m_newton) m_newton = std::make_unique<TangentNewton>(*m_net, *m_topology, part, slides);
+    if (!m_newton) {
+        m_newton = std::make_unique<TangentNewton>(*m_net, *m_topology, part, slides);
+        m_is_loose = loose_vertices(*m_topology, is_free, slides, pulls);
+    }
     if (!m_constraints)
         m_constraints =
             std::make_unique<NetConstraints>(*m_net, *m_topology, m_limit, is_free, slides, pulls, positions);
     if (!m_has_metric) m_newton->set_metric(m_rest_energy.terms());
     m_has_metric = true;
     m_constraints->set_free(is_free, slides, pulls);
+}
+
+void RestDescent::give_way_to(const Eigen::Vector3d& load, Eigen::Matrix3Xd& moves) const {
+    Eigen::Matrix3Xd loads(3, m_net->vertex_count());
+    loads.colwise() = load;
+    for (std::size_t v = 0; v < m_is_loose.size(); ++v)
+        if (m_is_loose[v]) loads.col(static_cast<Eigen::Index>(v)).setZero();
+    m_newton->give_way(loads, moves);
 }
 
 bool RestDescent::project(Positions& positions) {
@@ -326,9 +357,7 @@ bool RestDescent::give_way(Positions& positions) {
 
 /// Out of the plane of a flat net, which takes nothing from lengths to first order.
 bool RestDescent::find_bow(const Eigen::Vector3d& normal, Eigen::Matrix3Xd& bow) {
-    Eigen::Matrix3Xd load(3, m_net->vertex_count());
-    load.colwise() = normal;
-    m_newton->give_way(load, bow);
+    give_way_to(normal, bow);
     return m_newton->find_negative_curvature(m_rest_energy.terms(), k_most_bows, bow);
 }
 
@@ -381,7 +410,7 @@ Status RestDescent::end_at(const Positions& positions) {
 }
 
 std::optional<RestState> RestDescent::state(const Positions& positions, std::span<const Pull> pulls) const {
-    if (!m_newton || m_newton->multipliers().size() == 0) return std::nullopt;
+    if (!is_prepared() || m_newton->multipliers().size() == 0) return std::nullopt;
     return RestState{{gradient_norm(), m_lack, motion_left()},
                      m_is_linearised,
                      *m_net,

@@ -37,9 +37,9 @@ public:
     /// Whether an energy is chosen, which Options like these would choose again.
     bool has_energy_of(const Options& options) const;
     void forget_energy() { m_rest_energy.forget(); }
-    /// Takes another energy and another limit of the corners. `rest_shape` and `guide` as in RestEnergy::choose().
+    /// Takes another energy, see RestEnergy::choose(), and another limit of the corners.
     void choose_energy(const Positions& rest_shape, const Options& options, std::span<const Pull> pulls,
-                       const Guide* guide, double unit, CornerLimit limit);
+                       const Guide* guide, double unit, const std::vector<bool>& weightless, CornerLimit limit);
     void set_options(const Options& options) { m_options = options; }
     /// What it takes to make steps with these handles, and the energy's pulls at their targets. Keeps a reference to
     /// the part. Throws Error too_large where the systems for it would be. `positions`: near where it begins.
@@ -51,8 +51,9 @@ public:
 
     /// How free vertices follow if what is held moves by these columns, as smoothly as the energy's bound allows.
     void extend(Eigen::Matrix3Xd& moves) { m_newton->extend(moves); }
-    /// How what is free gives way to a load, by the energy's bound.
-    void give_way_to(const Eigen::Matrix3Xd& load, Eigen::Matrix3Xd& moves) const { m_newton->give_way(load, moves); }
+    /// How what is free gives way to an even load, by the energy's bound; pieces that nothing holds would fly off, and
+    /// bear none.
+    void give_way_to(const Eigen::Vector3d& load, Eigen::Matrix3Xd& moves) const;
     /// Onto the lengths and out of corners that are too sharp. If that fails, the corners are held that were before.
     bool project(Positions& positions);
 
@@ -108,6 +109,7 @@ private:
     std::unique_ptr<NetConstraints> m_constraints;  // whatever the handles
     std::unique_ptr<TangentNewton> m_newton;        // for these handles
     bool m_has_metric = false;                      // of the terms as they are
+    std::vector<bool> m_is_loose;                   // V, see loose_vertices()
 
     int m_steps = 0;               // Newton steps of this solve, or since handles have moved
     double m_radius = 0;           // no vertex moves farther in the next step

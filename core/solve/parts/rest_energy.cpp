@@ -65,7 +65,8 @@ bool RestEnergy::is_least_at_rest_shape(const Options& options, std::span<const 
 }
 
 void RestEnergy::choose(const Net& net, const Topology& topology, const Positions& rest_shape, const Options& options,
-                        std::span<const Pull> pulls, const Guide* guide, double unit) {
+                        std::span<const Pull> pulls, const Guide* guide, double unit,
+                        const std::vector<bool>& weightless) {
     const double open_angle = std::max(options.shear_limit, k_least_open_angle) * std::numbers::pi / 180;
     m_terms.clear();
     m_terms.push_back(std::make_unique<BendingTerm>(net, topology, rest_shape, options.bending_weight,
@@ -75,7 +76,7 @@ void RestEnergy::choose(const Net& net, const Topology& topology, const Position
         std::make_unique<ShearTerm>(net, rest_shape, options.shear_weight, shear_reference(options), open_angle));
     if (options.tip_weight > 0) m_terms.push_back(std::make_unique<TipTerm>(net, topology, options.tip_weight));
     if (options.gravity > 0)
-        m_terms.push_back(std::make_unique<GravityTerm>(net, options.gravity, -Eigen::Vector3d::UnitZ()));
+        m_terms.push_back(std::make_unique<GravityTerm>(net, options.gravity, -Eigen::Vector3d::UnitZ(), weightless));
     if (is_guided(options, guide)) m_terms.push_back(closeness(net, *guide, unit, options));
     if (!pulls.empty()) m_terms.push_back(std::make_unique<PullTerm>(net, pulls));
 }

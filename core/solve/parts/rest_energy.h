@@ -25,9 +25,9 @@ public:
     static bool is_least_at_rest_shape(const Options& options, std::span<const Pull> pulls, const Guide* guide);
 
     /// Takes its terms anew. `guide`: null if there is none; `unit`: of the net, in that of the guide and of the
-    /// options' lengths. Keeps references.
+    /// options' lengths; `weightless`: see GravityTerm. Keeps references.
     void choose(const Net& net, const Topology& topology, const Positions& rest_shape, const Options& options,
-                std::span<const Pull> pulls, const Guide* guide, double unit);
+                std::span<const Pull> pulls, const Guide* guide, double unit, const std::vector<bool>& weightless);
     /// The same pulls to other targets.
     void move_pulls(const Net& net, std::span<const Pull> pulls);
     bool is_chosen() const { return !m_terms.empty(); }

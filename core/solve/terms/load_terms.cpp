@@ -38,12 +38,14 @@ void PullTerm::add_bound(QuadraticForm& form) const {
     for (const Pull& pull : m_pulls) form.add_vertex(pull.vertex, 2 * m_scale * pull.weight);
 }
 
-GravityTerm::GravityTerm(const Net& net, double g, const Eigen::Vector3d& down)
+GravityTerm::GravityTerm(const Net& net, double g, const Eigen::Vector3d& down, const std::vector<bool>& weightless)
     : m_gradient(Eigen::Matrix3Xd::Zero(3, net.vertex_count())) {
     const double L = net.mean_length();
-    for (int e = 0; e < net.edge_count(); ++e)
+    for (int e = 0; e < net.edge_count(); ++e) {
+        if (!weightless.empty() && weightless[net.edges()(0, e)]) continue;
         for (int side = 0; side < 2; ++side)
             m_gradient.col(net.edges()(side, e)) -= g * net.rest_lengths()[e] / (2 * L * L) * down;
+    }
 }
 
 double GravityTerm::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) {

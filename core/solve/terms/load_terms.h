@@ -28,11 +28,12 @@ private:
 };
 
 /// The net's own weight, E = −g Σ_e L_e / L · down · (x_a + x_b) / 2L: edges are heavy, each by its length, and `g` is
-/// the weight of one of mean length L in the units of the other energies. Without handles it would fall for ever.
+/// the weight of one of mean length L in the units of the other energies. Pieces that nothing carries would fall for
+/// ever.
 class GravityTerm : public Term {
 public:
-    /// `down`: a unit vector.
-    GravityTerm(const Net& net, double g, const Eigen::Vector3d& down);
+    /// `down`: a unit vector. `weightless`: V, the vertices of whole pieces whose edges weigh nothing; empty: none do.
+    GravityTerm(const Net& net, double g, const Eigen::Vector3d& down, const std::vector<bool>& weightless = {});
 
     const char* name() const override { return "gravity"; }
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
