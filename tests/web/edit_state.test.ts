@@ -211,6 +211,18 @@ test('with anything wrong in it changes nothing', async () => {
   }
 });
 
+test('is seen anew where another axis is to be up, and only then', async () => {
+  const { app } = page;
+  const camera = { position: at(0, 9), target: at(0) };
+  const seen = () => [app.opening!.document.view.upAxis, app.opening!.document.view.camera];
+  app.setView({ camera });
+  app.setView({ upAxis: 'z', behind: true });
+  expect(seen()).toEqual(['z', camera]);
+  app.setView({ upAxis: 'y' });
+  expect(seen()).toEqual(['y', null]);
+  expect(app.opening!.document.view.behind).toBeUndefined();
+});
+
 test('keeps a name that is given while other lengths are looked for, also when those are taken back', async () => {
   const { app } = page;
   await app.openScene({ ...scene, method: 'equilibrium', initialisation: 'naive', options: {} });

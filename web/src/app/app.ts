@@ -273,7 +273,10 @@ export class App {
 
   setView(change: Partial<ViewState>): void {
     if (this.opening === null) return;
-    const view = { ...this.opening.document.view, ...change };
+    const { view: before } = this.opening.document;
+    const isTurned = change.upAxis !== undefined && change.upAxis !== (before.upAxis ?? 'z');
+    // The view frames it anew: the camera was that of how it lay.
+    const view = { ...before, ...(isTurned && { camera: null, behind: undefined }), ...change };
     this.#state.change({ view });
     if (change.camera === undefined) this.#presenter.setAppearance({ ...this.opening.document, view });
   }
