@@ -223,7 +223,7 @@ export class App {
     const { opening, history } = this.#state;
     const now = history.beforeGesture ?? this.#state.snapshot();
     if (now === null || opening === null) return null;
-    return { entries: history.entries(now), present: history.present, view: this.#viewOf(opening.document) };
+    return { entries: this.#opener.entries(now), present: history.present, view: this.#viewOf(opening.document) };
   }
 
   /** What a link to the present scene is made of; null before the first net. */

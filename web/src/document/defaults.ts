@@ -13,6 +13,11 @@ export const DEFAULT_INITIALISATION = 'naive';
 
 export const DEFAULT_VIEW: ViewState = { camera: null, field: 'deviation', colourMap: 'paper', showFaces: true };
 
+/** What a view says of it. */
+export function turned(upAxis: UpAxis | undefined): Pick<ViewState, 'upAxis'> {
+  return upAxis === 'y' ? { upAxis } : {};
+}
+
 /** What a net is solved with unless somebody chooses otherwise. */
 export function usualMethod(net: NetSource): string {
   return vertexCount(net) > MOST_VERTICES_AT_REST ? METHOD_OF_LARGE_NETS : METHOD_AT_REST;

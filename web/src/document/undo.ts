@@ -1,6 +1,6 @@
 /** The history: every state of what is being made, by the name of the change that led to it. How one looks at it, the
  *  view, is not undone; all else of the document is. */
-import type { ChebnetDocument, NetSource } from './document';
+import type { ChebnetDocument, NetSource, UpAxis } from './document';
 import type { ChangeName } from './naming';
 
 /** Nothing in it may be changed afterwards; entries share what did not change. A net that came as text, in a project, is
@@ -11,6 +11,8 @@ export interface Entry {
   /** What was done to get here. */
   readonly name: ChangeName;
   readonly state: Snapshot;
+  /** In projects, of a net that is not the present one: its axis that points up, if that is known. */
+  readonly upAxis?: UpAxis;
 }
 
 /** What a panel shows of it. */
@@ -157,10 +159,15 @@ export class UndoHistory implements HistoryView {
     return this.goTo(this.#present + 1, now);
   }
 
-  /** The state of entry `index`, which is the present one from now on; null if there is nowhere to go. */
+  /** The state of entry `index`, to be gone to; null if there is nowhere to go. */
+  stateAt(index: number): Snapshot | null {
+    return this.#gesture !== null || index === this.#present ? null : (this.#states[index] ?? null);
+  }
+
+  /** Likewise, and it is the present one from now on. */
   goTo(index: number, now: Snapshot): Snapshot | null {
-    const state = this.#states[index];
-    if (this.#gesture !== null || index === this.#present || !state) return null;
+    const state = this.stateAt(index);
+    if (state === null) return null;
     this.#lastKey = null;
     this.#states[this.#present] = now;
     this.#present = index;
