@@ -333,8 +333,10 @@ export class App {
     try {
       await this.#opener.restore(after);
     } catch (error) {
-      this.#state.history.takeBack(before);
-      await this.#opener.restore(before);
+      if (this.#state.history.takeBack(before)) await this.#opener.restore(before);
+      // What has been done since stays; the solver, unless it is a new one, does it beside the surface of before.
+      else if (!this.#client.returning && this.opening?.document.guide === after.guide)
+        this.#state.change({ guide: before.guide });
       throw error;
     }
   }
@@ -347,26 +349,25 @@ export class App {
   }
 
   /** Pushes the net through between its handles, to look for its other equilibrium. Where it comes to no rest, or to a crumpled
-   *  one, it goes back. How far the vertex that moves most has come once the net has settled, in edge lengths; null: another
-   *  net is open by then. */
+   *  one, it goes back. How far the vertex that moves most has come once the net has settled, in edge lengths; null: something
+   *  else is done by then. */
   async flip(): Promise<number | null> {
     this.#before();
     const positions = await this.#client.flipped();
     const before = this.#before();
     const opening = this.opening;
-    if (opening === null) return null;
+    if (opening === null || this.#state.history.inGesture) return null;
     const from = opening.frame.positions.slice();
     this.#state.history.record(before, ['flip']);
-    const { present } = this.history;
+    const { revision } = this.history;
     await this.#restoreFrom(before, { ...before, positions, settled: false });
     await this.settled();
     const frame = this.opening?.frame;
-    if (frame?.positions.length !== from.length || this.history.present !== present) return null;
+    if (!frame || !this.isQuiet || this.history.revision !== revision) return null;
     const rests = ['converged', 'exact'].includes(frame.status);
     if (rests && sharpFolds(opening.net, frame.positions) <= sharpFolds(opening.net, from))
       return longestMove(from, frame.positions) / opening.net.info.meanLength;
-    this.#state.history.takeBack(before);
-    await this.#opener.restore(before);
+    if (this.#state.history.takeBack(before)) await this.#opener.restore(before);
     return 0;
   }
 

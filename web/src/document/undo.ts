@@ -115,14 +115,15 @@ export class UndoHistory implements HistoryView {
   }
 
   /** Takes back the change last recorded, which began at `before`: it failed. What it had put an end to can be gone to again.
-   *  Where it was not the last, or joined one before, its entry stays. */
-  takeBack(before: Snapshot): void {
-    if (this.#gesture !== null || this.#states[this.#present - 1] !== before) return;
+   *  False: it was not the last, or joined one before, or a gesture goes on; its entry stays. */
+  takeBack(before: Snapshot): boolean {
+    if (this.#gesture !== null || this.#states[this.#present - 1] !== before) return false;
     this.#lastKey = null;
     this.#names.splice(this.#present, Infinity, ...this.#namesAhead);
     this.#present -= 1;
     this.#states.splice(this.#present, Infinity, null, ...this.#statesAhead);
     this.#revised();
+    return true;
   }
 
   /** Before the first change of a gesture. */
