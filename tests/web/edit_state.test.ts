@@ -175,6 +175,7 @@ test('what is asked of a net while another is being opened is refused, and reach
     app.adaptLengths(() => {}),
     app.flip(),
     app.reset(),
+    app.moveWhole(),
   ].map((each) => each.then(() => 'taken', codeOf));
   app.handles.change([dragged], { name: 'top' });
   app.handles.beginDrag();
@@ -249,6 +250,21 @@ test('is seen anew where another axis is to be up, and only then', async () => {
   app.setView({ upAxis: 'y' });
   expect(seen()).toEqual(['y', null]);
   expect(app.opening!.document.view.behind).toBeUndefined();
+});
+
+test('goes by one step to rest with other options, and to all of the net moving; one undo brings it back', async () => {
+  const { app } = page;
+  for (const doing of [() => app.reset({ shear_limit: 0 }), () => app.moveWhole()]) {
+    const [before, { present: place }] = [present(), app.history];
+    await doing();
+    await page.solve();
+    expect(app.history.present).toBe(place + 1);
+    expect(present()).not.toEqual(before);
+    expect(editor().options()).toMatchObject(app.opening!.document.options);
+    app.undo();
+    await page.solve();
+    expect(present()).toEqual(before);
+  }
 });
 
 test('keeps a name that is given while other lengths are looked for, also when those are taken back', async () => {

@@ -10,6 +10,7 @@ import type {
   HandleData,
   NetSource,
   Scene,
+  SolverOptions,
   SolverSettings,
   UpAxis,
   ViewState,
@@ -287,9 +288,7 @@ export class App {
    *  the history calls them, if not by themselves. */
   async setOptions(settings: SolverSettings, name?: ChangeName): Promise<void> {
     const before = this.#before();
-    const usual = new Map(this.#optionTable.map(({ name, value }) => [name, value]));
-    const unusual = Object.entries(settings.options).filter(([name, value]) => Number(value) !== usual.get(name));
-    const after = { ...settings, options: Object.fromEntries(unusual) };
+    const after = { ...settings, options: this.#unusual(settings.options) };
     const asked = this.#client.setOptions(settings);
     const change = settingsChange(before, after);
     if (change) this.#state.history.record(before, name || change.name, change.key);
@@ -304,6 +303,12 @@ export class App {
       }
       throw error;
     }
+  }
+
+  /** Those that a document has: usual ones need no place. */
+  #unusual(options: SolverOptions): SolverOptions {
+    const usual = new Map(this.#optionTable.map(({ name, value }) => [name, value]));
+    return Object.fromEntries(Object.entries(options).filter(([name, value]) => Number(value) !== usual.get(name)));
   }
 
   /** All edges grow by one factor, as little as brings handles to where they were to be. The option `length_scale` then; null
@@ -376,8 +381,8 @@ export class App {
     return this.#client.step();
   }
 
-  /** Back to rest, handles too, with edges as long as they were made. */
-  async reset(): Promise<void> {
+  /** Back to rest, handles too, with edges as long as they were made; by other options from then on, if any are `given`. */
+  async reset(given?: SolverOptions): Promise<void> {
     const before = this.#before();
     if (this.opening === null) return;
     const { restPositions } = this.opening.net;
@@ -386,13 +391,22 @@ export class App {
       return { ...handle, target: [x, y, z] };
     };
     const { method, initialisation } = before;
-    const options = asMade(before.options);
+    const options = asMade(given ? this.#unusual(given) : before.options);
     this.#state.history.record(before, ['reset']);
     this.#state.change({ handles: before.handles.map(atRest), positions: restPositions, options });
+    const isToldOptions = given !== undefined || 'length_scale' in before.options;
     // Both at once: another net may be opened before the first is answered.
-    const asMadeAgain =
-      'length_scale' in before.options && this.#client.setOptions({ method, initialisation, options });
-    await Promise.all([asMadeAgain, this.#client.reset()]);
+    await Promise.all([
+      isToldOptions && this.#client.setOptions({ method, initialisation, options }),
+      this.#client.reset(),
+    ]);
+  }
+
+  /** All of the net moves with its handles from now on, and comes to rest so at once. */
+  async moveWhole(): Promise<void> {
+    this.#before();
+    this.handles.setLocality(undefined);
+    await this.#client.solve();
   }
 
   /** The state before a change of the net. Fails where there is none to be changed: the worker would take the change for the
@@ -562,7 +576,8 @@ export class App {
       step: () => this.#attemptNamed(['step'], () => this.step()),
       setStepArrows: (shown) => this.#presenter.view.setStepArrows(shown),
       cancel: () => this.#attempt(this.#client.cancel()),
-      reset: () => this.#attempt(this.reset()),
+      moveWhole: () => this.#attempt(this.moveWhole()),
+      reset: (options) => this.#attempt(this.reset(options)),
       compare: (request) => this.compare(request),
       runAll: (requests) => this.runAll(requests),
       cancelComparison: () => this.#attempt(this.#comparer().then((comparer) => comparer.cancel())),

@@ -71,10 +71,7 @@ export class StuckNotice implements Panel {
     this.#back = makeButton(back, () => events.goTo(this.#lastGood!));
     this.#soften = makeButton(soften, () => events.handles.change(this.#candidates, { weight: SOFT }));
     this.#grow = makeButton(grow, () => this.#growEdges().catch(this.#failed));
-    this.#widen = makeButton(widen, () => {
-      events.handles.setLocality(undefined);
-      events.solve();
-    });
+    this.#widen = makeButton(widen, () => events.moveWhole());
     this.#stop = makeButton(stop, () => events.cancel());
     this.#lengthsBack = makeButton(lengthsBack, () => this.#takeLengthsBack());
     this.#dismiss = makeDismiss(() => this.#putAway());
