@@ -409,6 +409,12 @@ export class App {
     await this.#client.solve();
   }
 
+  /** The net that is open, for another to be made of it. Fails where a change of it would. */
+  netToChange(): Opening {
+    this.#before();
+    return this.opening!;
+  }
+
   /** The state before a change of the net. Fails where there is none to be changed: the worker would take the change for the
    *  net that it is just opening. */
   #before(): Snapshot {
