@@ -27,6 +27,11 @@ export interface HistoryView {
   readonly revision: number;
 }
 
+/** The number of an entry, the present one's unless it is said, which stays whatever is forgotten. */
+export function numberOf({ forgotten, present }: Pick<HistoryView, 'forgotten' | 'present'>, entry = present): number {
+  return forgotten + entry;
+}
+
 /** Most bytes kept of the past, all entries together. */
 const LARGEST = 100e6;
 
