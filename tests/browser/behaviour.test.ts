@@ -2,6 +2,7 @@
 import { join } from 'node:path';
 import { beforeAll, beforeEach, expect, test } from 'vitest';
 import type { Chebnet } from '../../wasm/chebnet';
+import { decodeScene } from '../../web/src/document/share';
 import { load } from '../wasm/load';
 import { distance, largestDeviation } from './geometry';
 import { drawn, openForResearch, OUTPUT, room, type Script, type Visit, visits } from './page';
@@ -269,6 +270,15 @@ test('a net that comes nearly closed is opened, which is said, and undone where 
   await script.settled();
   expect(apart(await script.positions(), came)).toBeLessThan(1e-3);
   expect(await notice.innerText()).toBe('');
+  const limit = async () => {
+    const { options } = decodeScene(new URL(await visit.page.evaluate(() => window.chebnet.link())).hash);
+    return options['shear_limit'];
+  };
+  expect(await limit()).toBe(0);
+  await visit.page.keyboard.press('Control+z');
+  await script.settled();
+  expect(apart(await script.positions(), came)).toBeGreaterThan(0.1);
+  expect(await limit()).toBeUndefined();
 });
 
 test('edges become longer or shorter on wish, all by one factor; undo takes that back', async () => {

@@ -506,6 +506,12 @@ describe('on a vault', () => {
     await visit.page.locator('.status-words', { hasText: 'Out of reach: holding the best shape' }).waitFor();
     const marks = visit.page.locator('svg.overlay .marks');
     expect(await marks.getAttribute('d')).toMatch(/^M.*Z$/);
+    // Whichever axis is up.
+    await visit.page.getByText('Appearance', { exact: true }).click();
+    for (const axis of ['y', 'z']) {
+      await visit.page.getByLabel('Up axis').selectOption(axis);
+      expect(await marks.getAttribute('d')).toMatch(/^M.*Z$/);
+    }
     await visit.page.screenshot({ path: join(OUTPUT, 'unreachable.png') });
     await ways.getByRole('button', { name: 'Make the handle soft' }).click();
     await script.settled();

@@ -105,6 +105,11 @@ test('the pattern of a net in millimetres is of its own size', async () => {
     expect(await edge.inputValue(), `edges of ${length}`).toBe(shown);
     await visit.page.keyboard.press('Escape');
   }
+  await visit.script.open({ obj: square(290) });
+  await visit.page.evaluate(() => window.chebnet.setOptions({ length_scale: 1.12 }));
+  await visit.script.settled();
+  await press('Export');
+  await expect.poll(() => edge.inputValue()).toBe('324.8');
 });
 
 function square(side: number): string {

@@ -105,7 +105,7 @@ test('where the part that may move is too small for a handle, one button lets th
     await window.chebnet.setHandles([...both]);
     return [both[0].vertex, both[1].vertex];
   });
-  await chooseLocality();
+  const edges = await chooseLocality();
   const [from, towards] = [await script.position(vertex), await script.position(held)];
   const way = 0.4;
   const there = from.map((each, axis) => each + way * (towards[axis]! - each)) as [number, number, number];
@@ -120,6 +120,9 @@ test('where the part that may move is too small for a handle, one button lets th
   await script.settled();
   expect((await script.stats()).status).toBe('converged');
   expect(distance(await script.position(vertex), there)).toBeLessThan(1e-6);
+  await visit.page.keyboard.press('Control+z');
+  await widen.waitFor();
+  await localityIs(`${edges} edges`);
 });
 
 test('a soft handle follows its target as far as its weight pulls, and every edge keeps its length', async () => {

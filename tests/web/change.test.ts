@@ -31,6 +31,13 @@ test('in a coarser net they go to the nearest vertex that no other has', () => {
   expect(verticesAfter('coarsen', 0, 2, 4, 1)).toEqual([0, 1, 2]);
 });
 
+test('a changed net is as long as it was made, and not how the one before came to its end', () => {
+  const before = { ...documentWith(), options: { length_scale: 1.1, threshold: 1e-8 }, ending: 'stalled' as const };
+  const scene = changedScene(before, { way: 'refine', mesh: line(5, 1) }, changed, []);
+  expect(scene.options).toEqual({ threshold: 1e-8 });
+  expect(scene.ending).toBeUndefined();
+});
+
 test('in another size its surface has that size, too, about the same centre', () => {
   const guide = resizedGuide(
     { own: 'shell' },

@@ -1,6 +1,6 @@
 /** The state of an edit, every field of it, on each way it can take: to the other module, through undo, a link and a project,
  *  and to the worker after one that was lost. */
-import { beforeEach, expect, test } from 'vitest';
+import { beforeEach, expect, test, vi } from 'vitest';
 import type { EditState, Editor, Editors } from '../../wasm/chebnet';
 import { freshScene } from '../../web/src/document/defaults';
 import type { ChebnetDocument, Scene } from '../../web/src/document/document';
@@ -175,6 +175,7 @@ test('what is asked of a net while another is being opened is refused, and reach
     app.adaptLengths(() => {}),
     app.flip(),
     app.reset(),
+    app.moveWhole(),
   ].map((each) => each.then(() => 'taken', codeOf));
   app.handles.change([dragged], { name: 'top' });
   app.handles.beginDrag();
@@ -186,6 +187,34 @@ test('what is asked of a net while another is being opened is refused, and reach
   expect([editor().state().handles, present().handles]).toEqual([[], []]);
   expect(editor().state().options).toEqual(fresh.options());
   expect(page.said).toHaveLength(1); // that there are no handles
+});
+
+test('a net pushed through that finds no rest goes back, unless a hand has taken hold of it meanwhile', async () => {
+  const { app } = page;
+  /** Until the net is on its way. */
+  const pushThrough = async () => {
+    const { present: place } = app.history;
+    const end = app.flip();
+    await vi.waitFor(() => expect(app.history.present).toBe(place + 1));
+    return { end };
+  };
+  await app.setOptions({ method: 'equilibrium', initialisation: 'naive', options: { max_iterations: 1 } });
+  await page.solve();
+  const before = present();
+  const back = await pushThrough();
+  await page.solve();
+  expect(await back.end).toBe(0);
+  await page.solve();
+  expect(present()).toEqual(before);
+
+  const taken = await pushThrough();
+  app.handles.beginDrag();
+  app.handles.drag([{ vertex: dragged, target: at(dragged, -0.3) }]);
+  const letGo = taken.end.finally(() => app.handles.endDrag(false));
+  await page.solve();
+  expect(await letGo).toBeNull();
+  await page.solve();
+  expect(app.history.names.slice(-2).map((name) => sentenceOf(name))).toEqual(['Flip through', 'Move handle crown']);
 });
 
 test('with anything wrong in it changes nothing', async () => {
@@ -208,6 +237,33 @@ test('with anything wrong in it changes nothing', async () => {
       expect.objectContaining({ code }),
     );
     expect(editor().state()).toEqual(before);
+  }
+});
+
+test('is seen anew where another axis is to be up, and only then', async () => {
+  const { app } = page;
+  const camera = { position: at(0, 9), target: at(0) };
+  const seen = () => [app.opening!.document.view.upAxis, app.opening!.document.view.camera];
+  app.setView({ camera });
+  app.setView({ upAxis: 'z', behind: true });
+  expect(seen()).toEqual(['z', camera]);
+  app.setView({ upAxis: 'y' });
+  expect(seen()).toEqual(['y', null]);
+  expect(app.opening!.document.view.behind).toBeUndefined();
+});
+
+test('goes by one step to rest with other options, and to all of the net moving; one undo brings it back', async () => {
+  const { app } = page;
+  for (const doing of [() => app.reset({ shear_limit: 0 }), () => app.moveWhole()]) {
+    const [before, { present: place }] = [present(), app.history];
+    await doing();
+    await page.solve();
+    expect(app.history.present).toBe(place + 1);
+    expect(present()).not.toEqual(before);
+    expect(editor().options()).toMatchObject(app.opening!.document.options);
+    app.undo();
+    await page.solve();
+    expect(present()).toEqual(before);
   }
 });
 

@@ -158,3 +158,14 @@ test('the surface it came from is beside the net, or the one that was there, as 
   expect(guideOf(guided, false)).toEqual({ own: 'hypar' });
   expect(guideOf(guided, true)).toEqual({ mesh: surface, name: 'dome.obj' });
 });
+
+test('what is taken is as long as it was made, and not how the net of before came to its end', () => {
+  const mesh = { positions: new Float64Array(9), faceStart: Int32Array.of(0, 3), faceVertices: Int32Array.of(0, 1, 2) };
+  const net = { recipe: 'dome:vertices=500' };
+  const options = { length_scale: 1.1, threshold: 1e-8 };
+  const ending = 'stalled' as const;
+  const before = { ...freshScene(net), net, handles: [], positions: null, settled: true, options, ending };
+  const taken = equalizedScene(before, { mesh, surface: null, isResized: false }, []);
+  expect(taken.options).toEqual({ threshold: 1e-8 });
+  expect(taken.ending).toBeUndefined();
+});

@@ -72,7 +72,7 @@ export function withText<T extends { net: NetSource }>(document: T): WithText<T>
 }
 
 export function projectWithText({ entries, ...rest }: Project): Project {
-  return { ...rest, entries: entries.map(({ name, state }) => ({ name, state: withText(state) })) };
+  return { ...rest, entries: entries.map(({ state, ...entry }) => ({ ...entry, state: withText(state) })) };
 }
 
 /** Positions as the numbers they are, all bits of them: JSON has no −0, so this one is a text. */

@@ -79,6 +79,7 @@ function projects(core: Chebnet): Record<string, (core: Chebnet) => Promise<Proj
     lesson,
     file,
     guided,
+    turned,
     [`${names().length}-changes`]: changes,
     [`${allSettings(core).length}-settings`]: settings,
   };
@@ -138,6 +139,22 @@ async function guided(core: Chebnet): Promise<Project> {
   page.app.undo();
   await page.solve();
   return page.app.project()!;
+}
+
+/** Between two nets with their y axis up, one with z. */
+async function turned(core: Chebnet): Promise<Project> {
+  const page = await openPage(core);
+  const { app } = page;
+  await app.openNet({ ...SMALL, name: 'lies.obj' });
+  app.setView({ upAxis: 'y' });
+  await page.solve();
+  await app.openNet({ recipe: 'dome:vertices=100' });
+  await page.solve();
+  await app.openNet(SMALL, 'y');
+  await page.solve();
+  app.undo();
+  await page.solve();
+  return app.project()!;
 }
 
 /** Of one state, by all names that a change can have. */

@@ -40,6 +40,15 @@ test('a file has the name of its project, if that is a name', () => {
   expect(['../a:b', ' .x ', 'Halle 3', '网'].map(asFileName)).toEqual(['a b', 'x', 'Halle 3', '网']);
 });
 
+test('a file tells which axis of a net is up that is not the present one, if that is known', () => {
+  const project = projectOf([0, 1, 2].map((x) => stateAt(Float64Array.of(x, x, x))));
+  const entries = project.entries.map((entry, i): Entry => (i === 0 ? { ...entry, upAxis: 'y' } : entry));
+  const parsed = parseProject(projectText({ ...project, entries }));
+  expect(parsed.entries).toEqual(entries);
+  const other = projectText({ ...project, entries }).replace('"upAxis":"y"', '"upAxis":"x"');
+  expect(() => parseProject(other)).toThrow(/upAxis/);
+});
+
 test('the least that a file can take is known without writing it', () => {
   const { restPositions: positions, faceStart, faceVertices } = grid(60, 60);
   const small = projectOf([

@@ -2,7 +2,7 @@
  *  intentions; they never change the document themselves. */
 import type { Comparison, ComparisonRequest, Run, RunRequest } from './compare/run';
 import type { WantedChange } from './change/subject';
-import type { ChebnetDocument, HandleData, SolverSettings, ViewState } from './document/document';
+import type { ChebnetDocument, HandleData, SolverOptions, SolverSettings, ViewState } from './document/document';
 import type { ChangeName } from './document/naming';
 import type { HistoryView } from './document/undo';
 import type { SaveRequest } from './export/kinds';
@@ -64,10 +64,13 @@ export interface PanelEvents {
   /** Look for the net's other equilibrium; see App.flip(). */
   flip(): Promise<number | null>;
   solve(): void;
+  /** Let all of the net move with its handles, without a locality, and come to rest so at once. */
+  moveWhole(): void;
   step(): void;
   setStepArrows(shown: boolean): void;
   cancel(): void;
-  reset(): void;
+  /** Back to rest; by other options from then on, if any are given. */
+  reset(options?: SolverOptions): void;
   undo(): void;
   redo(): void;
   /** Goes to an entry of the history. */

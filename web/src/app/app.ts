@@ -10,6 +10,7 @@ import type {
   HandleData,
   NetSource,
   Scene,
+  SolverOptions,
   SolverSettings,
   UpAxis,
   ViewState,
@@ -223,7 +224,7 @@ export class App {
     const { opening, history } = this.#state;
     const now = history.beforeGesture ?? this.#state.snapshot();
     if (now === null || opening === null) return null;
-    return { entries: history.entries(now), present: history.present, view: this.#viewOf(opening.document) };
+    return { entries: this.#opener.entries(now), present: history.present, view: this.#viewOf(opening.document) };
   }
 
   /** What a link to the present scene is made of; null before the first net. */
@@ -273,7 +274,10 @@ export class App {
 
   setView(change: Partial<ViewState>): void {
     if (this.opening === null) return;
-    const view = { ...this.opening.document.view, ...change };
+    const { view: before } = this.opening.document;
+    const isTurned = change.upAxis !== undefined && change.upAxis !== (before.upAxis ?? 'z');
+    // The view frames it anew: the camera was that of how it lay.
+    const view = { ...before, ...(isTurned && { camera: null, behind: undefined }), ...change };
     this.#state.change({ view });
     if (change.camera === undefined) this.#presenter.setAppearance({ ...this.opening.document, view });
   }
@@ -284,9 +288,7 @@ export class App {
    *  the history calls them, if not by themselves. */
   async setOptions(settings: SolverSettings, name?: ChangeName): Promise<void> {
     const before = this.#before();
-    const usual = new Map(this.#optionTable.map(({ name, value }) => [name, value]));
-    const unusual = Object.entries(settings.options).filter(([name, value]) => Number(value) !== usual.get(name));
-    const after = { ...settings, options: Object.fromEntries(unusual) };
+    const after = { ...settings, options: this.#unusual(settings.options) };
     const asked = this.#client.setOptions(settings);
     const change = settingsChange(before, after);
     if (change) this.#state.history.record(before, name || change.name, change.key);
@@ -301,6 +303,12 @@ export class App {
       }
       throw error;
     }
+  }
+
+  /** Those that a document has: usual ones need no place. */
+  #unusual(options: SolverOptions): SolverOptions {
+    const usual = new Map(this.#optionTable.map(({ name, value }) => [name, value]));
+    return Object.fromEntries(Object.entries(options).filter(([name, value]) => Number(value) !== usual.get(name)));
   }
 
   /** All edges grow by one factor, as little as brings handles to where they were to be. The option `length_scale` then; null
@@ -330,8 +338,10 @@ export class App {
     try {
       await this.#opener.restore(after);
     } catch (error) {
-      this.#state.history.takeBack(before);
-      await this.#opener.restore(before);
+      if (this.#state.history.takeBack(before)) await this.#opener.restore(before);
+      // What has been done since stays; the solver, unless it is a new one, does it beside the surface of before.
+      else if (!this.#client.returning && this.opening?.document.guide === after.guide)
+        this.#state.change({ guide: before.guide });
       throw error;
     }
   }
@@ -344,26 +354,25 @@ export class App {
   }
 
   /** Pushes the net through between its handles, to look for its other equilibrium. Where it comes to no rest, or to a crumpled
-   *  one, it goes back. How far the vertex that moves most has come once the net has settled, in edge lengths; null: another
-   *  net is open by then. */
+   *  one, it goes back. How far the vertex that moves most has come once the net has settled, in edge lengths; null: something
+   *  else is done by then. */
   async flip(): Promise<number | null> {
     this.#before();
     const positions = await this.#client.flipped();
     const before = this.#before();
     const opening = this.opening;
-    if (opening === null) return null;
+    if (opening === null || this.#state.history.inGesture) return null;
     const from = opening.frame.positions.slice();
     this.#state.history.record(before, ['flip']);
-    const { present } = this.history;
+    const { revision } = this.history;
     await this.#restoreFrom(before, { ...before, positions, settled: false });
     await this.settled();
     const frame = this.opening?.frame;
-    if (frame?.positions.length !== from.length || this.history.present !== present) return null;
+    if (!frame || !this.isQuiet || this.history.revision !== revision) return null;
     const rests = ['converged', 'exact'].includes(frame.status);
     if (rests && sharpFolds(opening.net, frame.positions) <= sharpFolds(opening.net, from))
       return longestMove(from, frame.positions) / opening.net.info.meanLength;
-    this.#state.history.takeBack(before);
-    await this.#opener.restore(before);
+    if (this.#state.history.takeBack(before)) await this.#opener.restore(before);
     return 0;
   }
 
@@ -372,8 +381,8 @@ export class App {
     return this.#client.step();
   }
 
-  /** Back to rest, handles too, with edges as long as they were made. */
-  async reset(): Promise<void> {
+  /** Back to rest, handles too, with edges as long as they were made; by other options from then on, if any are `given`. */
+  async reset(given?: SolverOptions): Promise<void> {
     const before = this.#before();
     if (this.opening === null) return;
     const { restPositions } = this.opening.net;
@@ -382,13 +391,28 @@ export class App {
       return { ...handle, target: [x, y, z] };
     };
     const { method, initialisation } = before;
-    const options = asMade(before.options);
+    const options = asMade(given ? this.#unusual(given) : before.options);
     this.#state.history.record(before, ['reset']);
     this.#state.change({ handles: before.handles.map(atRest), positions: restPositions, options });
+    const isToldOptions = given !== undefined || 'length_scale' in before.options;
     // Both at once: another net may be opened before the first is answered.
-    const asMadeAgain =
-      'length_scale' in before.options && this.#client.setOptions({ method, initialisation, options });
-    await Promise.all([asMadeAgain, this.#client.reset()]);
+    await Promise.all([
+      isToldOptions && this.#client.setOptions({ method, initialisation, options }),
+      this.#client.reset(),
+    ]);
+  }
+
+  /** All of the net moves with its handles from now on, and comes to rest so at once. */
+  async moveWhole(): Promise<void> {
+    this.#before();
+    this.handles.setLocality(undefined);
+    await this.#client.solve();
+  }
+
+  /** The net that is open, for another to be made of it. Fails where a change of it would. */
+  netToChange(): Opening {
+    this.#before();
+    return this.opening!;
   }
 
   /** The state before a change of the net. Fails where there is none to be changed: the worker would take the change for the
@@ -558,7 +582,8 @@ export class App {
       step: () => this.#attemptNamed(['step'], () => this.step()),
       setStepArrows: (shown) => this.#presenter.view.setStepArrows(shown),
       cancel: () => this.#attempt(this.#client.cancel()),
-      reset: () => this.#attempt(this.reset()),
+      moveWhole: () => this.#attempt(this.moveWhole()),
+      reset: (options) => this.#attempt(this.reset(options)),
       compare: (request) => this.compare(request),
       runAll: (requests) => this.runAll(requests),
       cancelComparison: () => this.#attempt(this.#comparer().then((comparer) => comparer.cancel())),

@@ -1,15 +1,18 @@
 /** Opens nets and goes through the history: one at a time; until the next net is open the present one stays. */
 import { type NamedChange, netChange, netTitle } from '../document/changes';
-import { asMade, freshScene, usualMethod } from '../document/defaults';
-import type { NetSource, Scene, UpAxis, ViewPlace } from '../document/document';
+import { asMade, freshScene, turned, usualMethod } from '../document/defaults';
+import type { NetSource, Scene, UpAxis, ViewPlace, ViewState } from '../document/document';
 import type { Project } from '../document/project';
-import type { Snapshot } from '../document/undo';
+import type { Entry, Snapshot } from '../document/undo';
 import { words } from '../language/language';
 import type { Client, Opened } from '../worker/client';
 import type { State } from './state';
 
 /** Delay before the opening notice, in milliseconds. */
 const NOTICE_MS = 250;
+
+/** How a net lies, and from where it is seen: what of the view is that of its net. */
+type NetView = ViewPlace & Pick<ViewState, 'upAxis'>;
 
 /** Callbacks to the app. */
 export interface OpenerEvents {
@@ -27,8 +30,8 @@ export class Opener {
   readonly #client: Pick<Client, 'open' | 'cancelOpening' | 'restore'>;
   readonly #state: State;
   readonly #events: OpenerEvents;
-  /** From where nets were seen that have been left. */
-  readonly #seen = new WeakMap<NetSource, ViewPlace>();
+  /** Of nets that have been left, here or by whoever made the project. */
+  readonly #seen = new WeakMap<NetSource, NetView>();
   /** Number of nets being opened. */
   #underWay = 0;
   /** Steps through the history that wait until a net is there. */
@@ -71,7 +74,19 @@ export class Opener {
 
   /** Opens a project with its history in place of the present one. If it fails, the present one stays. */
   async openProject({ entries, present, view }: Project): Promise<void> {
-    await this.#reopen({ ...entries[present]!.state, view }, () => this.#state.history.begin(entries, present));
+    await this.#reopen({ ...entries[present]!.state, view }, () => {
+      for (const { state, upAxis } of entries)
+        if (upAxis) this.#seen.set(state.net, { camera: null, ...turned(upAxis) });
+      this.#state.history.begin(entries, present);
+    });
+  }
+
+  /** The history with what is known of how its nets lie; that of the present one, the view says. */
+  entries(now: Snapshot): Entry[] {
+    return this.#state.history.entries(now).map((entry) => {
+      const seen = entry.state.net === now.net ? undefined : this.#seen.get(entry.state.net);
+      return seen ? { ...entry, upAxis: seen.upAxis ?? 'z' } : entry;
+    });
   }
 
   /** Opens a net at rest, with the settings and the view of the present document; with its usual method, if the present one
@@ -89,7 +104,7 @@ export class Opener {
       method,
       initialisation,
       options,
-      view: { ...view, ...(upAxis === 'y' && { upAxis }), camera: null },
+      view: { ...view, ...turned(upAxis), camera: null },
     };
     return this.openScene(scene, netChange(document.net, net));
   }
@@ -105,11 +120,12 @@ export class Opener {
     const { history } = this.#state;
     const now = this.#state.snapshot();
     const from = history.present;
-    const state = now === null || this.isOpening ? null : history.goTo(index, now);
+    const state = now === null || this.isOpening ? null : history.stateAt(index);
     if (now === null || state === null) return;
     this.#events.unsay();
     try {
-      await this.restore(state);
+      // Until then the present entry is that of the net that is open.
+      await this.restore(state, () => history.goTo(index, now));
     } catch (error) {
       // A history from a file may hold states that no net can take.
       if (history.goTo(from, state)) await this.restore(now);
@@ -117,20 +133,25 @@ export class Opener {
     }
   }
 
-  async restore(snapshot: Snapshot): Promise<void> {
+  /** @param leave is called when the present state is about to go. */
+  async restore(snapshot: Snapshot, leave: () => void = () => {}): Promise<void> {
     if (this.#state.opening === null) return;
     const { net, view } = this.#state.opening.document;
     const { net: wanted, ...rest } = snapshot;
-    if (wanted !== net) {
-      const { behind: _, ...look } = view;
-      return this.#reopen({ ...snapshot, view: { ...look, camera: null, ...this.#seen.get(wanted) } });
-    }
+    if (wanted !== net) return this.#reopen({ ...snapshot, view: this.#viewOf(wanted, view) }, leave);
+    leave();
     this.#state.restore(snapshot);
     await this.#client.restore(rest);
   }
 
+  /** How a net is to be seen after another: as it was left. One of which nothing is known, in a project of before, is taken to lie
+   *  as the other does. */
+  #viewOf(net: NetSource, { behind: _, upAxis, ...look }: ViewState): ViewState {
+    return { ...look, ...(this.#seen.get(net) ?? { camera: null, ...turned(upAxis) }) };
+  }
+
   /** @param leave is called when the present net is about to go. */
-  async #reopen(scene: Scene, leave = (): void => {}): Promise<void> {
+  async #reopen(scene: Scene, leave: () => void): Promise<void> {
     const opened = await this.#request(scene);
     this.#events.leaving();
     leave();
@@ -139,7 +160,10 @@ export class Opener {
 
   #take(scene: Scene, opened: Opened): void {
     const left = this.#state.opening?.document;
-    if (left) this.#seen.set(left.net, { camera: left.view.camera, behind: left.view.behind });
+    if (left) {
+      const { camera, behind, upAxis } = left.view;
+      this.#seen.set(left.net, { camera, behind, ...turned(upAxis) });
+    }
     this.#state.open(scene, opened);
     this.#events.opened();
   }

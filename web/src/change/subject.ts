@@ -1,7 +1,7 @@
 /** The net to be changed, and the scene with what became of it. */
 import type { FormatInfo } from '../../../wasm/chebnet';
 import type { ChangeName } from '../document/naming';
-import { asMade, usualMethod } from '../document/defaults';
+import { remade, usualMethod } from '../document/defaults';
 import { guideTitle } from '../document/changes';
 import type { ChebnetDocument, GuideSource, Scene } from '../document/document';
 import { fileNameOf } from '../document/file_name';
@@ -61,21 +61,13 @@ export function changedScene(
     return nearest;
   };
   const net = { mesh, name: fileNameOf(document.net, 'obj', formats) };
-  const options = asMade(document.options);
+  const handles = document.handles.flatMap((handle) => {
+    const vertex = placeFor(handle.vertex);
+    return vertex === undefined ? [] : [{ ...handle, vertex, target: null }];
+  });
   return {
-    ...document,
-    net,
-    numbering: undefined,
-    handles: document.handles.flatMap((handle) => {
-      const vertex = placeFor(handle.vertex);
-      return vertex === undefined ? [] : [{ ...handle, vertex, target: null }];
-    }),
+    ...remade(document, net, handles),
     method: document.method === usualMethod(document.net) ? usualMethod(net) : document.method,
-    options,
-    positions: null,
-    settled: true,
-    experiment: undefined,
-    compare: undefined,
   };
 }
 

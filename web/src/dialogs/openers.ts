@@ -31,6 +31,8 @@ import type { TakenNet } from './file_opener';
 /** The part of the app that they use. */
 export interface OpenNet {
   readonly opening: Opening | null;
+  /** The same, for another to be made of it; fails where none is open, or another one is about to be. */
+  netToChange(): Opening;
   /** The core's. */
   readonly formats: readonly FormatInfo[];
   openNet(net: NetSource, upAxis?: UpAxis): Promise<void>;
@@ -67,9 +69,8 @@ export class Openers {
   }
 
   async equalizeNet(): Promise<void> {
-    if (this.#app.opening === null) return;
     const { formats } = this.#app;
-    const { document, net } = this.#app.opening;
+    const { document, net } = this.#app.netToChange();
     const subject = subjectOfNet(document, net, formats);
     const equalized = await this.#createEqualizer(subject, document.view.upAxis).result;
     if (equalized === 'newNet') await this.#newNetOn(subject, document.view.upAxis);
@@ -98,8 +99,8 @@ export class Openers {
 
   /** The net with other faces, in place of the one that is open. */
   async changeNet(wanted: WantedChange): Promise<void> {
-    if (this.#app.opening === null) return;
-    const { formats, opening } = this.#app;
+    const { formats } = this.#app;
+    const opening = this.#app.netToChange();
     const request = requestOf(opening, wanted, this.#app.handles.choice.selection);
     const changed = await this.#changed(request);
     if (changed === null) return;

@@ -22,8 +22,8 @@ export interface ShareLink {
 }
 
 export interface ShareParts {
-  /** To choose from; the first is copied. */
-  links: Promise<ShareLink[]>;
+  /** To choose from; the first is copied. Nobody waits for them any more when `closed` is aborted. */
+  links(closed: AbortSignal): Promise<ShareLink[]>;
   /** Copies a link, as the visitor has `asked` or by itself, and says how that went. */
   copyLink(link: ShareLink, asked: boolean): Promise<string>;
 }
@@ -43,6 +43,7 @@ export class ShareDialog {
   /** Until there is a link there is nothing to copy. */
   readonly #again = makeButton(panelWords.share.copy, () => this.#copy(true), { class: 'primary', disabled: true });
   readonly #embed = makeButton(panelWords.share.copyEmbed, () => this.#copySnippet(), { disabled: true });
+  readonly #closed = new AbortController();
   #chosen: ShareLink | null = null;
 
   constructor(root: HTMLElement, { links, copyLink }: ShareParts) {
@@ -71,13 +72,20 @@ export class ShareDialog {
     );
     // The page's shortcuts are off while the dialog is open.
     this.#dialog.addEventListener('keydown', (event) => event.stopPropagation());
-    this.#dialog.addEventListener('close', () => this.#dialog.remove());
+    this.#dialog.addEventListener('close', () => {
+      this.#closed.abort();
+      this.#dialog.remove();
+    });
     root.append(this.#dialog);
     this.#dialog.showModal();
-    links.then((all) => this.#offer(all)).catch((error: unknown) => setText(this.#said, messageOf(error)));
+    links(this.#closed.signal)
+      .then((all) => this.#offer(all))
+      .catch((error: unknown) => setText(this.#said, messageOf(error)));
   }
 
   #offer(links: ShareLink[]): void {
+    // By now the clipboard may hold something else.
+    if (this.#closed.signal.aborted) return;
     const chosen = links[0]!;
     this.#choice.append(...links.map((link) => this.#option(link, link === chosen)));
     this.#choice.hidden = links.length < 2;

@@ -1,5 +1,5 @@
 /** The scene of a net that has been taken from a dialog or a script, as it is seen beside what is open. */
-import { freshScene } from '../document/defaults';
+import { freshScene, turned } from '../document/defaults';
 import type { ChebnetDocument, Scene } from '../document/document';
 import type { TakenNet } from './file_opener';
 
@@ -19,6 +19,6 @@ export function takenScene(
     ...(guide && { guide }),
     // What no handle holds stays as it was shown; a guide would draw it.
     settled: handles.length === 0,
-    view: { ...view, ...(upAxis === 'y' && { upAxis }), camera: null },
+    view: { ...view, ...turned(upAxis), camera: null },
   };
 }

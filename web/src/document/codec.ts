@@ -184,9 +184,13 @@ export function readView(view: Untrusted): Scene['view'] {
       section: view.at('section').maybe(readSection),
       parallel: view.at('parallel').maybe((each) => each.flag()),
       guideHidden: view.at('guideHidden').maybe((each) => each.flag()),
-      upAxis: view.at('upAxis').maybe((each) => each.oneOf<UpAxis>(['y', 'z'])),
+      upAxis: view.at('upAxis').maybe(readUpAxis),
     }),
   };
+}
+
+export function readUpAxis(axis: Untrusted): UpAxis {
+  return axis.oneOf<UpAxis>(['y', 'z']);
 }
 
 function readSection(section: Untrusted): Section {

@@ -1,5 +1,5 @@
 /** What the page opens with when nothing else is asked for. */
-import type { NetSource, Scene, SolverOptions, ViewState } from './document';
+import type { ChebnetDocument, NetSource, Scene, SolverOptions, UpAxis, ViewState } from './document';
 
 /** Every parameter is named: a link to it must not change when a default does. */
 const DEFAULT_RECIPE = 'dome:vertices=2000,reach=55';
@@ -12,6 +12,11 @@ export const MOST_VERTICES_AT_REST = 12_000;
 export const DEFAULT_INITIALISATION = 'naive';
 
 export const DEFAULT_VIEW: ViewState = { camera: null, field: 'deviation', colourMap: 'paper', showFaces: true };
+
+/** What a view says of it. */
+export function turned(upAxis: UpAxis | undefined): Pick<ViewState, 'upAxis'> {
+  return upAxis === 'y' ? { upAxis } : {};
+}
 
 /** What a net is solved with unless somebody chooses otherwise. */
 export function usualMethod(net: NetSource): string {
@@ -27,6 +32,22 @@ function vertexCount(net: NetSource): number {
 /** Settings for a net as it was made: how long edges are is of the net that they were changed of. */
 export function asMade({ length_scale: _, ...options }: SolverOptions): SolverOptions {
   return options;
+}
+
+/** The document with a net that was made of its own, as that stood, and is new: nobody has solved it yet. */
+export function remade(document: ChebnetDocument, net: NetSource, handles: Scene['handles']): Scene {
+  return {
+    ...document,
+    net,
+    numbering: undefined,
+    handles,
+    options: asMade(document.options),
+    positions: null,
+    settled: true,
+    ending: undefined,
+    experiment: undefined,
+    compare: undefined,
+  };
 }
 
 /** A net as it comes: at rest, with the handles its recipe suggests. */

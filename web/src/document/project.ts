@@ -6,7 +6,7 @@
 import { Failure } from '../failure';
 import { panelWords } from '../language/panels';
 import { fromBase64, toBase64 } from './base64';
-import { netAsText, writeState, writeView } from './codec';
+import { netAsText, readUpAxis, writeState, writeView } from './codec';
 import {
   type GuideFile,
   type HandleData,
@@ -16,6 +16,7 @@ import {
   type NetSource,
   type ViewState,
 } from './document';
+import { given } from './given';
 import { Untrusted } from './untrusted';
 import { readName, writeName } from './naming';
 import { Measure } from './undo';
@@ -53,9 +54,10 @@ export function writeProject(project: Project, largest: number): ProjectRecord {
   const nets = new Numbered<NetSource>();
   const positions = new Numbered<Float64Array>();
   const guides = new Numbered<GuideFile>();
-  const states = entries.map(({ name, state }) => ({
+  const states = entries.map(({ name, state, upAxis }) => ({
     ...writeName(name),
     ...writeState(state, null),
+    ...given({ upAxis }),
     net: nets.numberOf(state.net),
     positions: state.positions && positions.numberOf(state.positions),
     ...(state.guide && 'mesh' in state.guide ? { guideFile: guides.numberOf(state.guide) } : {}),
@@ -118,7 +120,10 @@ function withTexts(project: Project): Project {
     texts.set(net, text);
     return text;
   };
-  const entries = project.entries.map(({ name, state }) => ({ name, state: { ...state, net: textOf(state.net) } }));
+  const entries = project.entries.map((entry) => ({
+    ...entry,
+    state: { ...entry.state, net: textOf(entry.state.net) },
+  }));
   return { ...project, entries };
 }
 
@@ -220,7 +225,7 @@ function readEntry(
     net,
     positions: place.value === null ? null : positions[place.index(positions.length)]!,
   };
-  return { name: readName(field), state };
+  return { name: readName(field), state, ...given({ upAxis: field.at('upAxis').maybe(readUpAxis) }) };
 }
 
 function withTarget({ target, ...handle }: HandleSeed, handles: Untrusted): HandleData {

@@ -1,6 +1,6 @@
 /** The history: every state of what is being made, by the name of the change that led to it. How one looks at it, the
  *  view, is not undone; all else of the document is. */
-import type { ChebnetDocument, NetSource } from './document';
+import type { ChebnetDocument, NetSource, UpAxis } from './document';
 import type { ChangeName } from './naming';
 
 /** Nothing in it may be changed afterwards; entries share what did not change. A net that came as text, in a project, is
@@ -11,6 +11,8 @@ export interface Entry {
   /** What was done to get here. */
   readonly name: ChangeName;
   readonly state: Snapshot;
+  /** In projects, of a net that is not the present one: its axis that points up, if that is known. */
+  readonly upAxis?: UpAxis;
 }
 
 /** What a panel shows of it. */
@@ -23,6 +25,11 @@ export interface HistoryView {
   readonly canRedo: boolean;
   /** Counts up with whatever happens to it. */
   readonly revision: number;
+}
+
+/** The number of an entry, the present one's unless it is said, which stays whatever is forgotten. */
+export function numberOf({ forgotten, present }: Pick<HistoryView, 'forgotten' | 'present'>, entry = present): number {
+  return forgotten + entry;
 }
 
 /** Most bytes kept of the past, all entries together. */
@@ -113,14 +120,15 @@ export class UndoHistory implements HistoryView {
   }
 
   /** Takes back the change last recorded, which began at `before`: it failed. What it had put an end to can be gone to again.
-   *  Where it was not the last, or joined one before, its entry stays. */
-  takeBack(before: Snapshot): void {
-    if (this.#gesture !== null || this.#states[this.#present - 1] !== before) return;
+   *  False: it was not the last, or joined one before, or a gesture goes on; its entry stays. */
+  takeBack(before: Snapshot): boolean {
+    if (this.#gesture !== null || this.#states[this.#present - 1] !== before) return false;
     this.#lastKey = null;
     this.#names.splice(this.#present, Infinity, ...this.#namesAhead);
     this.#present -= 1;
     this.#states.splice(this.#present, Infinity, null, ...this.#statesAhead);
     this.#revised();
+    return true;
   }
 
   /** Before the first change of a gesture. */
@@ -157,10 +165,15 @@ export class UndoHistory implements HistoryView {
     return this.goTo(this.#present + 1, now);
   }
 
-  /** The state of entry `index`, which is the present one from now on; null if there is nowhere to go. */
+  /** The state of entry `index`, to be gone to; null if there is nowhere to go. */
+  stateAt(index: number): Snapshot | null {
+    return this.#gesture !== null || index === this.#present ? null : (this.#states[index] ?? null);
+  }
+
+  /** Likewise, and it is the present one from now on. */
   goTo(index: number, now: Snapshot): Snapshot | null {
-    const state = this.#states[index];
-    if (this.#gesture !== null || index === this.#present || !state) return null;
+    const state = this.stateAt(index);
+    if (state === null) return null;
     this.#lastKey = null;
     this.#states[this.#present] = now;
     this.#present = index;

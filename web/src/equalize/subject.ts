@@ -1,5 +1,6 @@
 /** The net to be equalised, and the scene with the result. */
 import type { FormatInfo, Mesh } from '../../../wasm/chebnet';
+import { remade } from '../document/defaults';
 import type { ChebnetDocument, GuideSource, Scene } from '../document/document';
 import { fileNameOf } from '../document/file_name';
 import type { OpenedNet } from '../worker/protocol';
@@ -46,14 +47,7 @@ export function equalizedScene(
   const name = fileNameOf(document.net, 'obj', formats);
   const guide = surface === null ? undefined : { mesh: surface, name };
   return {
-    ...document,
-    net: { mesh, name },
+    ...remade(document, { mesh, name }, handles),
     guide: isResized ? guide : (document.guide ?? guide),
-    numbering: undefined,
-    handles,
-    positions: null,
-    settled: true,
-    experiment: undefined,
-    compare: undefined,
   };
 }

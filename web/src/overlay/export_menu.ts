@@ -9,7 +9,7 @@ import type { Menu, MenuItem } from '../elements/menu';
 import { NumberField } from '../elements/number_field';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
-import type { OpenedNet } from '../worker/protocol';
+import type { FrameData, OpenedNet } from '../worker/protocol';
 
 const words = panelWords.exports;
 const MAGNIFICATIONS = [1, 2, 4];
@@ -26,6 +26,8 @@ export class ExportLines implements Panel {
   readonly #menu: Menu;
   readonly #events: PanelEvents;
   #edgeIsChosen = false;
+  /** Of the net as it was made. */
+  #edgeLength = 1;
 
   constructor(menu: Menu, events: PanelEvents) {
     this.element = menu.menu;
@@ -34,11 +36,12 @@ export class ExportLines implements Panel {
     this.#edge.input.addEventListener('change', () => (this.#edgeIsChosen = true));
   }
 
-  /** A pattern is of the net's own size, unless somebody wants another or its unit is no millimetre. */
   setNet({ info: { edgeLength } }: OpenedNet): void {
-    if (this.#edgeIsChosen) return;
-    const isInMm = edgeLength >= SHORTEST_MM && edgeLength <= EDGE_MM.largest;
-    this.#edge.put(isInMm ? lengthDigits(edgeLength) : String(EDGE_MM.usual));
+    this.#edgeLength = edgeLength;
+  }
+
+  setFrame({ lengthScale }: FrameData): void {
+    if (!this.#edgeIsChosen) this.#edge.set(usualMm(this.#edgeLength * lengthScale));
   }
 
   setTables({ formats }: Tables): void {
@@ -72,6 +75,12 @@ export class ExportLines implements Panel {
     this.#edge.input.focus();
     this.#edge.input.checkValidity();
   }
+}
+
+/** A pattern is of the net's own size, unless somebody wants another or its unit is no millimetre. */
+function usualMm(edgeLength: number): string {
+  const isInMm = edgeLength >= SHORTEST_MM && edgeLength <= EDGE_MM.largest;
+  return isInMm ? lengthDigits(edgeLength) : String(EDGE_MM.usual);
 }
 
 function makeEdgeField(): NumberField {

@@ -27,9 +27,7 @@ export class SharpNotice implements Panel {
   constructor(events: PanelEvents) {
     const leave = makeButton(panelWords.sharp.leave, () => {
       this.#hide();
-      const { method, initialisation, options } = this.#document!;
-      events.setOptions({ method, initialisation, options: { ...options, shear_limit: 0 } });
-      events.reset();
+      events.reset({ ...this.#document!.options, shear_limit: 0 });
     });
     const accept = makeButton(panelWords.sharp.accept, () => this.#hide());
     this.#line = make(

@@ -11,6 +11,7 @@ import { panelWords } from '../language/panels';
 import { type BadCells, badCells } from './bad_cells';
 import { placeClear } from './clear_place';
 import { CornerLimit } from './corner_limit';
+import { GoodPlaces } from './good_places';
 import { makeDismiss } from './messages';
 import { KEPT_DEVIATION } from '../net/edge_lengths';
 import { sharpQuads } from '../net/fold';
@@ -27,6 +28,8 @@ const AT_LIMIT = 0.1;
 /** More than this could not be told apart, and would be slow to draw. */
 const MOST_MARKS = 500;
 
+/** Of the history, before that has been told. */
+const BEGINNING = { present: 0, forgotten: 0 };
 const NONE_BAD: BadCells = { off: new Set(), sharp: new Set() };
 
 type Standing = 'good' | 'stuck' | 'short' | 'grown' | 'growing';
@@ -55,8 +58,7 @@ export class StuckNotice implements Panel {
   #bad: BadCells = NONE_BAD;
   #isGrowing = false;
   #history: HistoryView | null = null;
-  /** The places in the history whose shapes are known to be wrong. */
-  readonly #wrong = new Set<number>();
+  readonly #places = new GoodPlaces();
   /** The revision of the history for which no length of edges was found. */
   #hopeless: number | null = null;
   /** What was said when it was put away. */
@@ -71,10 +73,7 @@ export class StuckNotice implements Panel {
     this.#back = makeButton(back, () => events.goTo(this.#lastGood!));
     this.#soften = makeButton(soften, () => events.handles.change(this.#candidates, { weight: SOFT }));
     this.#grow = makeButton(grow, () => this.#growEdges().catch(this.#failed));
-    this.#widen = makeButton(widen, () => {
-      events.handles.setLocality(undefined);
-      events.solve();
-    });
+    this.#widen = makeButton(widen, () => events.moveWhole());
     this.#stop = makeButton(stop, () => events.cancel());
     this.#lengthsBack = makeButton(lengthsBack, () => this.#takeLengthsBack());
     this.#dismiss = makeDismiss(() => this.#putAway());
@@ -108,7 +107,7 @@ export class StuckNotice implements Panel {
 
   setNet(net: OpenedNet): void {
     this.#net = net;
-    this.#wrong.clear();
+    this.#places.clear();
     this.#frame = null;
     this.#mark();
     this.#show();
@@ -121,8 +120,8 @@ export class StuckNotice implements Panel {
     }
     this.#frame = frame;
     this.#mark();
-    if (frame.maxDeviation <= KEPT_DEVIATION && this.#bad.sharp.size === 0) this.#wrong.delete(this.#present);
-    else this.#wrong.add(this.#present);
+    const isGood = frame.maxDeviation <= KEPT_DEVIATION && this.#bad.sharp.size === 0;
+    this.#places.note(this.#history ?? BEGINNING, isGood);
     this.#show();
     if (this.#isShown) placeClear(this.element, this.#handles, this.#events);
   }
@@ -186,15 +185,8 @@ export class StuckNotice implements Panel {
     return this.#frame?.unreachable[0];
   }
 
-  get #present(): number {
-    return this.#history?.present ?? 0;
-  }
-
-  /** The last place before the present one. */
   get #lastGood(): number | undefined {
-    let place = this.#present - 1;
-    while (this.#wrong.has(place)) --place;
-    return place < 0 ? undefined : place;
+    return this.#places.lastBefore(this.#history ?? BEGINNING);
   }
 
   /** The handles that could give way: those out of reach, or else those selected. */

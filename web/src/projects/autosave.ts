@@ -1,7 +1,7 @@
 /** Stores the document in the browser soon after each change, unless a drag or a solve is under way. */
 import type { App } from '../app/app';
 import type { Project } from '../document/project';
-import { type HistoryView, Measure } from '../document/undo';
+import { Measure, numberOf } from '../document/undo';
 import { projectFormat } from './format';
 import { enlist, hasName, keep, newId, release } from './kept';
 import { lazy } from '../lazy';
@@ -55,7 +55,7 @@ export class Autosave {
   begin(id: string, worth: boolean): void {
     if (id !== this.#id) release(this.#id);
     this.#id = id;
-    this.#since = latest(this.#app.history);
+    this.#since = numberOf(this.#app.history);
     this.#revision = worth ? -1 : this.#app.history.revision;
     this.#view = null;
     this.#soon();
@@ -108,7 +108,7 @@ export class Autosave {
     const first = Math.max(0, this.#since + 1 - history.forgotten);
     const fresh = history.names.slice(first, history.present + 1);
     const isAnother = fresh.some(([what]) => what === 'open' || what === 'link');
-    this.#since = latest(history);
+    this.#since = numberOf(history);
     if (isAnother && (await hasName(id).catch(() => false)) && id === this.#id) this.begin(newId(), true);
   }
 
@@ -131,9 +131,4 @@ export class Autosave {
       else this.#soon();
     }, PAUSE_MS);
   }
-}
-
-/** The number of the present entry, whatever has been forgotten. */
-function latest({ forgotten, present }: HistoryView): number {
-  return forgotten + present;
 }

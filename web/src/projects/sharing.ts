@@ -17,13 +17,14 @@ export function share(app: App, root: HTMLElement, spawn: () => WorkerLike): voi
   const exact = exactLink(app);
   if (exact === null) return;
   new ShareDialog(root, {
-    links: exact.link.length < WORTH_A_TRIAL ? Promise.resolve([exact]) : linksBeside(exact, app, spawn),
+    links: async (closed) =>
+      exact.link.length < WORTH_A_TRIAL ? [exact] : linksWith(exact, await solvedHash(app, spawn, closed)),
     copyLink,
   });
 }
 
-async function linksBeside(exact: ShareLink, app: App, spawn: () => WorkerLike): Promise<ShareLink[]> {
-  const hash = await solvedHash(app, spawn);
+/** @param hash without positions; null: it needs them. */
+function linksWith(exact: ShareLink, hash: string | null): ShareLink[] {
   if (hash === null) return [exact];
   const link = linkOf(hash);
   const code = { link, positions: true };

@@ -13,14 +13,15 @@ const SAME = 1e-4;
 /** Milliseconds that a visitor waits for it. */
 const PATIENCE = 8_000;
 
-/** The hash of the present scene without its positions, if it opens into the present shape all the same; else null. */
-export async function solvedHash(app: App, spawn: () => WorkerLike): Promise<string | null> {
+/** The hash of the present scene without its positions, if it opens into the present shape all the same; else null, as when
+ *  nobody waits for it any more. */
+export async function solvedHash(app: App, spawn: () => WorkerLike, unwanted: AbortSignal): Promise<string | null> {
   const present = app.toShare();
   if (present === null) return null;
   const { document, net } = present;
   if (!canBeSolvedAgain(document)) return null;
   const hash = encodeEdit(document, net);
-  const positions = await solved(hash, spawn);
+  const positions = await solved(hash, spawn, unwanted);
   const isSame = positions !== null && longestMove(document.positions!, positions) <= SAME * net.info.meanLength;
   return isSame ? hash : null;
 }
@@ -30,10 +31,12 @@ function canBeSolvedAgain(document: ChebnetDocument): document is ChebnetDocumen
   return 'recipe' in net && method === METHOD_AT_REST && settled && positions !== null;
 }
 
-/** Where the vertices of a hash come to rest; null: it takes too long, or fails. */
-async function solved(hash: string, spawn: () => WorkerLike): Promise<Float64Array | null> {
+/** Where the vertices of a hash come to rest; null: it takes too long, fails, or is unwanted. */
+async function solved(hash: string, spawn: () => WorkerLike, unwanted: AbortSignal): Promise<Float64Array | null> {
   const solver = new RunSolver(spawn);
-  const timer = setTimeout(() => solver.dispose(), PATIENCE);
+  const end = (): void => solver.dispose();
+  const timer = setTimeout(end, PATIENCE);
+  unwanted.addEventListener('abort', end);
   let positions: Float64Array | null = null;
   try {
     await solver.solve(decodeScene(hash), (frame) => (positions = frame.positions));
@@ -42,6 +45,7 @@ async function solved(hash: string, spawn: () => WorkerLike): Promise<Float64Arr
     return null;
   } finally {
     clearTimeout(timer);
-    solver.dispose();
+    unwanted.removeEventListener('abort', end);
+    end();
   }
 }

@@ -92,6 +92,7 @@ export class NetDrawing {
     this.#rods?.setNet(data, net.edges.length / 2);
     this.#cut();
     this.setGuide(this.#guide);
+    this.#setCurve(this.#curve);
     return data;
   }
 
@@ -113,8 +114,11 @@ export class NetDrawing {
 
   setSnapping(snapping: Snapping | null | undefined): void {
     if (this.#data) this.#ground.setGrid(snapping?.step, this.#data.space);
-    if (snapping?.curve === this.#curve) return;
-    this.#curve = snapping?.curve;
+    if (snapping?.curve !== this.#curve) this.#setCurve(snapping?.curve);
+  }
+
+  #setCurve(curve: Curve | null | undefined): void {
+    this.#curve = curve;
     this.#drawCurve().catch((error: unknown) => this.#events.failed(error));
   }
 
@@ -181,13 +185,12 @@ export class NetDrawing {
   }
 
   async #drawCurve(): Promise<void> {
-    this.#drawnCurve?.dispose();
     const curve = this.#curve;
-    if (!curve) return;
-    const { KeptCurve } = await keptCurve();
-    if (curve !== this.#curve || !this.#data) return;
-    this.#drawnCurve = new KeptCurve(curve, this.#data.space, this.#theme);
-    this.object.add(this.#drawnCurve.object);
+    const loaded = curve && (await keptCurve());
+    if (curve !== this.#curve) return;
+    this.#drawnCurve?.dispose();
+    this.#drawnCurve = loaded && this.#data ? new loaded.KeptCurve(curve, this.#data.space, this.#theme) : null;
+    if (this.#drawnCurve) this.object.add(this.#drawnCurve.object);
     this.#events.changed();
   }
 

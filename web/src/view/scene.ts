@@ -281,10 +281,10 @@ class SceneView implements View {
   }
 
   setAppearance(appearance: Appearance): void {
-    const { upAxis } = this.#appearance;
+    const { upAxis = 'z' } = this.#appearance;
     this.#appearance = appearance;
     this.#drawing.setAppearance(appearance);
-    if (appearance.upAxis !== upAxis) this.#turn();
+    if ((appearance.upAxis ?? 'z') !== upAxis) this.#turn();
     this.#setParallel(appearance.parallel ?? false);
     this.#requestDraw();
   }
@@ -472,9 +472,10 @@ class SceneView implements View {
   #turn(): void {
     this.#gizmo.setTheme(this.#theme, this.#appearance.upAxis ?? 'z');
     if (!this.#net || !this.#latest) return;
-    const handles = this.#handles;
+    const [handles, marks] = [this.#handles, this.#marks];
     this.setNet(this.#net, this.#latest, { camera: null });
     this.setHandles(handles, this.#choice);
+    this.setMarks(marks);
   }
 
   #lookFrom(from: Side): void {

@@ -1,0 +1,21 @@
+/** Another net made of the one that is open. */
+import { expect, test, vi } from 'vitest';
+import { codeOf } from '../../web/src/failure';
+import { freshScene } from '../../web/src/document/defaults';
+import { Openers } from '../../web/src/dialogs/openers';
+import { load } from '../wasm/load';
+import { openPage } from './page_without_pictures';
+
+// They ask the browser as soon as they are loaded.
+vi.mock('../../web/src/view/scene', () => ({}));
+vi.mock('../../web/src/view/theme', () => ({}));
+
+test('is not made while a third one is being opened, which would be replaced', async () => {
+  const { app } = await openPage(await load());
+  await app.openScene(freshScene({ recipe: 'dome:vertices=100' }));
+  const openers = new Openers(app, {} as HTMLElement);
+  const opening = app.openScene(freshScene({ recipe: 'vault:vertices=100' }));
+  for (const making of [openers.changeNet({ way: 'refine' }), openers.equalizeNet()])
+    expect(await making.catch(codeOf)).toBe('cancelled');
+  await opening;
+});
