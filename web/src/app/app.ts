@@ -90,6 +90,7 @@ export class App {
       document: () => this.#emit('changed'),
       presentation: () => this.#presenter.schedule(),
     });
+      handles: () => this.#presenter.presentHandles(),
     this.handles = this.#createHandleEditor();
     // Before the view, whose construction blocks the page for a while: the worker loads meanwhile.
     this.#tables = this.#client.hello();
@@ -503,7 +504,7 @@ export class App {
         change: (change) => this.#state.change(change),
         drag: (handles) => {
           this.#state.drag(handles);
-          this.#presenter.presentDrag();
+          this.#presenter.presentHandles();
         },
         restore: (snapshot) => this.#attempt(this.#opener.restore(snapshot)),
         choiceChanged: () => this.#presenter.schedule(),

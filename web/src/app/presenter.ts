@@ -117,8 +117,8 @@ export class Presenter {
     this.#presentNumbers(frame);
   }
 
-  /** The dragged handles only, and at once: they follow the pointer. */
-  presentDrag(): void {
+  /** Handles only, and at once: they follow the pointer, or the net on which they slide. */
+  presentHandles(): void {
     const { handles } = this.#presented.state;
     const choice = this.#presented.choice();
     this.view.setHandles(handles, choice);

@@ -3,6 +3,7 @@ import { DirectionalLight, HemisphereLight, type Matrix4, Scene, Vector2, Vector
 import type { CameraPlace, HandleData, Symmetry, ViewPlace } from '../document/document';
 import { words } from '../language/language';
 import type { Along } from '../handles/along';
+import { movedBetween } from '../handles/moved';
 import type { Limit } from '../handles/reach';
 import { lazy } from '../lazy';
 import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
@@ -198,13 +199,14 @@ class SceneView implements View {
 
   setHandles(handles: readonly HandleData[], choice: ViewChoice): void {
     if (!this.#netData) return;
-    const moved = this.#report.isUnderWay ? undefined : movedBetween(this.#handles, handles);
+    const shown = handles.map((each) => (choice.part?.hidden[each.vertex] ? { ...each, hidden: true } : each));
+    const moved = this.#report.isUnderWay ? undefined : movedBetween(this.#handles, shown);
     this.#handles = handles;
     this.#choice = choice;
     this.#drawing.setPart(choice.part);
     this.#drawing.setSnapping(choice.snapping);
     this.#markers.update(
-      handles.map((each) => (choice.part?.hidden[each.vertex] ? { ...each, hidden: true } : each)),
+      shown,
       this.#netData.space,
       choice.selection,
       // With snapping they stand where that takes them, and not where the hand is.
@@ -466,6 +468,7 @@ class SceneView implements View {
     this.#regionShown = false;
     this.#limits = null;
     if (this.#reach) this.#reach.object.visible = false;
+  /** What is in hand or shown is of the net before: the next may not have such vertices, or has them elsewhere. */
   }
 
   /** Another axis is up: all scene positions change. */
@@ -652,12 +655,4 @@ class SceneView implements View {
     this.#drawTimes.push(now);
     if (this.#drawTimes.length > 240) this.#drawTimes = this.#drawTimes.filter((time) => time > now - 1000);
   }
-}
-
-/** A handle that can be taken and has another target than before, e.g. after undo. */
-function movedBetween(before: readonly HandleData[], after: readonly HandleData[]): number | undefined {
-  const targets = new Map(before.map(({ vertex, target }) => [vertex, target]));
-  const isMoved = ({ vertex, target, anchor }: HandleData): boolean =>
-    !anchor && (targets.get(vertex) ?? target).some((x, axis) => x !== target[axis]);
-  return after.find(isMoved)?.vertex;
 }
