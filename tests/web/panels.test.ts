@@ -5,7 +5,7 @@ import type { ChebnetDocument, HandleData } from '../../web/src/document/documen
 import { FIGURES } from '../../web/src/experiments/figures';
 import type { NewNetResponse } from '../../web/src/experiments/new_net_protocol';
 import { texts } from '../../web/src/experiments/texts';
-import type { Choice } from '../../web/src/handles/commands';
+import type { Choice, HandleCommands } from '../../web/src/handles/commands';
 import { panelWords } from '../../web/src/language/panels';
 import { words } from '../../web/src/language/language';
 import { OpeningNotice } from '../../web/src/overlay/opening_notice';
@@ -15,6 +15,7 @@ import { SelectionBar } from '../../web/src/overlay/selection_bar';
 import { StuckNotice } from '../../web/src/overlay/stuck_notice';
 import type { PanelEvents } from '../../web/src/panels';
 import { ChangePanel } from '../../web/src/sidebar/change_panel';
+import { DragPanel } from '../../web/src/sidebar/drag_panel';
 import { hasNewNet, NewNetTrial } from '../../web/src/sidebar/new_net_trial';
 import { describe as describeNet } from '../../web/src/worker/opened_net';
 import type { FrameData } from '../../web/src/worker/protocol';
@@ -127,6 +128,28 @@ test('what a change would do is shown no longer than what is selected stays so',
   expect(shown.faded).toBe(true);
   panel.setHandles([handle(60)], choose());
   expect(shown).toEqual({ preview: [], faded: false });
+});
+
+test('while thousands of handles are dragged, none is looked for among all of them', () => {
+  const SIZE = 2000;
+  let reads = 0;
+  const handles = Array.from({ length: SIZE }, (_, vertex): HandleData => {
+    return {
+      ...handle(vertex),
+      get vertex() {
+        reads += 1;
+        return vertex;
+      },
+    };
+  });
+  const panel = new DragPanel(
+    SILENT as HandleCommands,
+    () => {},
+    () => {},
+  );
+  panel.setDocument({} as ChebnetDocument);
+  panel.setHandles(handles, choose(...handles.keys()));
+  expect(reads).toBeLessThan(10 * SIZE);
 });
 
 describe('the trial of new nets', () => {
