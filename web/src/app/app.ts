@@ -523,7 +523,7 @@ export class App {
       select: (selection) => this.handles.select(selection),
       dragStart: () => {
         this.#presenter.showRun(null);
-        this.handles.beginDrag();
+        return this.handles.beginDrag();
       },
       dragMove: (targets, along) => this.handles.drag(targets, along),
       dragEnd: (cancelled) => this.handles.endDrag(cancelled),

@@ -418,7 +418,7 @@ class SceneView implements View {
         leading = this.#report.vertices[0];
         this.#firstVisit = false;
         endFirstVisit();
-        events.dragStart();
+        return events.dragStart();
       },
       dragMove: (targets, along) => events.dragMove(targets, along),
       dragEnd: (cancelled) => {
@@ -469,6 +469,9 @@ class SceneView implements View {
     this.#limits = null;
     if (this.#reach) this.#reach.object.visible = false;
   /** What is in hand or shown is of the net before: the next may not have such vertices, or has them elsewhere. */
+    this.#gestures.giveUp();
+    this.#markers.setShares(null);
+    this.#preview = [];
   }
 
   /** Another axis is up: all scene positions change. */

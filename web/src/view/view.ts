@@ -16,7 +16,8 @@ export interface ViewEvents {
   addHandle(vertex: number, also: Selection): void;
   /** A click on a handle or on nothing, or an outline drawn around handles. */
   select(selection: Selection): void;
-  dragStart(): void;
+  /** Returns whether handles may be dragged now. */
+  dragStart(): boolean;
   /** At most once an animation frame. `along`: what keys keep it to. */
   dragMove(targets: Handle[], along: Along | null): void;
   /** `cancelled`: Esc was pressed, the handles go back to where the drag began. */
@@ -36,7 +37,7 @@ const nothing = (): void => {};
 export const LOOKING_ONLY: ViewEvents = {
   addHandle: nothing,
   select: nothing,
-  dragStart: nothing,
+  dragStart: () => false,
   dragMove: nothing,
   dragEnd: nothing,
   lockedStay: nothing,
