@@ -42,7 +42,7 @@ function frameAt(x: number, change: Partial<FrameData> = {}): FrameData {
   return frame as FrameData;
 }
 
-const runAt = (x: number) => ({ label: 'run', frame: frameAt(x) }) as unknown as Run;
+const runAt = (x: number, net = state.opening!.net) => ({ label: 'run', net, frame: frameAt(x) }) as unknown as Run;
 
 beforeEach(() => {
   calls = [];
@@ -109,6 +109,14 @@ test('handles that slide are presented with each frame that moves them, and noth
   await afterwards();
   expect(state.handles).toBe(handles);
   expect(calls).toHaveLength(2);
+});
+
+test('a run of a net that is not open any more is not shown', () => {
+  calls = [];
+  const other = { ...state.opening!.net };
+  presenter.showRun(runAt(7, other));
+  presenter.showBeside([runAt(7, other)]);
+  expect(calls).toEqual([]);
 });
 
 test('a run has its net and handles shown until the own net moves', async () => {

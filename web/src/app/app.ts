@@ -426,14 +426,14 @@ export class App {
   /** Runs methods on the present edit, in a worker of their own. */
   compare({ methods, start }: ComparisonRequest): void {
     if (this.opening === null) return;
-    const { document } = this.opening;
+    const { document, net } = this.opening;
     const positions = start === 'rest' ? null : document.positions;
     const planOf = (method: string): RunPlan => ({
       label: words.core.method(method),
       style: this.#methods.indexOf(method), // the same in every comparison
       scene: { ...document, method, positions },
       threshold: this.#threshold(document),
-      isOfOpenNet: true,
+      net,
     });
     this.#run(methods.map(planOf));
   }
@@ -441,13 +441,13 @@ export class App {
   /** Runs these from rest, in a worker of their own; those without an edit of their own on the present one. */
   runAll(requests: readonly RunRequest[]): void {
     if (this.opening === null) return;
-    const { document } = this.opening;
+    const { document, net } = this.opening;
     const planOf = ({ label, edit, ...settings }: RunRequest, style: number): RunPlan => ({
       label,
       style,
       scene: { ...document, ...settings, ...(edit ? { ...edit, numbering: undefined } : {}), positions: null },
       threshold: this.#threshold(settings),
-      isOfOpenNet: edit === undefined,
+      net: edit === undefined ? net : null,
     });
     this.#run(requests.map(planOf));
   }
