@@ -90,9 +90,11 @@ export interface PanelEvents {
   /** Shows the whole net. */
   frameAll(from?: Side): void;
   /** Whether requests that change the net are unanswered, or it is yet to settle. */
+  /** Whether it is shown, or will be in a moment: since that was asked for no hand has moved the camera. */
+  isFramed(): boolean;
   isChanging(): boolean;
-  /** Where a vertex stands, CSS pixels from the top left of the page. */
-  screenPosition(vertex: number): { x: number; y: number };
+  /** Where vertices stand, CSS pixels from the top left of the page. */
+  screenPositions(vertices: readonly number[]): { x: number; y: number }[];
 }
 
 /** A button beside a message. */

@@ -139,7 +139,7 @@ export class App {
   }
 
   screenPosition(vertex: number): { x: number; y: number } {
-    return this.#presenter.view.screenPosition(vertex);
+    return this.#presenter.view.screenPositions([vertex])[0]!;
   }
 
   /** Neither a solve nor a drag is under way. */
@@ -569,7 +569,8 @@ export class App {
       redo: () => this.redo(),
       goTo: (index) => this.goTo(index),
       frameAll: (from) => this.frameAll(from),
-      screenPosition: (vertex) => this.screenPosition(vertex),
+      isFramed: () => this.#presenter.view.framed,
+      screenPositions: (vertices) => this.#presenter.view.screenPositions(vertices),
       isChanging: () => this.#client.changing,
     };
   }

@@ -307,6 +307,10 @@ class SceneView implements View {
     this.#rig.glideTo(this.#wholeNet());
   }
 
+  get framed(): boolean {
+    return this.#rig.framed;
+  }
+
   get behind(): boolean {
     return this.#behind;
   }
@@ -351,10 +355,13 @@ class SceneView implements View {
     return this.#drawTimes.filter((time) => time > second).length;
   }
 
-  screenPosition(vertex: number): Place {
-    const box = this.#renderer.domElement.getBoundingClientRect();
-    const { x, y } = this.#place(this.#markers.point(vertex) ?? this.#vertexPoint(vertex));
-    return { x: box.left + x, y: box.top + y };
+  screenPositions(vertices: readonly number[]): Place[] {
+    const { left, top } = this.#renderer.domElement.getBoundingClientRect();
+    const projection = this.#projection();
+    return vertices.map((vertex) => {
+      const { x, y } = toScreen(projection, this.#markers.point(vertex) ?? this.#vertexPoint(vertex));
+      return { x: left + x, y: top + y };
+    });
   }
 
   dispose(): void {
@@ -461,17 +468,17 @@ class SceneView implements View {
     this.#drawAnnotations();
   }
 
+  /** What is in hand or shown is of the net before: the next may not have such vertices, or has them elsewhere. */
   #forgetNet(): void {
+    this.#gestures.giveUp();
+    this.#markers.setShares(null);
+    this.#preview = [];
     this.#handles = [];
     this.#found = null;
     this.#marks = [];
     this.#regionShown = false;
     this.#limits = null;
     if (this.#reach) this.#reach.object.visible = false;
-  /** What is in hand or shown is of the net before: the next may not have such vertices, or has them elsewhere. */
-    this.#gestures.giveUp();
-    this.#markers.setShares(null);
-    this.#preview = [];
   }
 
   /** Another axis is up: all scene positions change. */

@@ -102,6 +102,8 @@ export interface View {
   setStepArrows(shown: boolean): void;
   /** Back to a view of the whole net. */
   frameAll(from?: Side): void;
+  /** Whether no hand has moved the camera since. */
+  readonly framed: boolean;
   camera(): CameraPlace;
   /** Where a camera that moves will rest; null: it rests. */
   heading(): CameraPlace | null;
@@ -115,7 +117,7 @@ export interface View {
   film(): Promise<Film>;
   /** Frames drawn in the last second. */
   framesPerSecond(): number;
-  /** Where a vertex stands on the canvas, CSS pixels from the top left of the page; for tests and labels. */
-  screenPosition(vertex: number): { x: number; y: number };
+  /** Where vertices stand on the canvas, CSS pixels from the top left of the page; for tests and labels. */
+  screenPositions(vertices: readonly number[]): { x: number; y: number }[];
   dispose(): void;
 }
