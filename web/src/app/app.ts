@@ -31,6 +31,7 @@ import { Client, isCancelled } from '../worker/client';
 import type { WorkerLike } from '../worker/client';
 import type { Opening } from '../worker/opening';
 import type { ExportFormat, FrameData, OpenedNet } from '../worker/protocol';
+import { latestOnly } from './latest';
 import { Opener } from './opener';
 import { Presenter, type Screen } from './presenter';
 import { noNet, State } from './state';
@@ -89,8 +90,8 @@ export class App {
     this.#state = new State(() => this.#client.changing, {
       document: () => this.#emit('changed'),
       presentation: () => this.#presenter.schedule(),
-    });
       handles: () => this.#presenter.presentHandles(),
+    });
     this.handles = this.#createHandleEditor();
     // Before the view, whose construction blocks the page for a while: the worker loads meanwhile.
     this.#tables = this.#client.hello();
@@ -536,7 +537,10 @@ export class App {
   #panelEvents(services: AppServices): PanelEvents {
     return {
       ...services,
-      openRecipe: (recipe) => this.#attempt(this.openNet({ recipe })),
+      openRecipe: latestOnly(
+        (recipe) => this.openNet({ recipe }),
+        (error) => this.report(error),
+      ),
       cancelOpening: () => this.cancelOpening(),
       handles: this.handles,
       preview: (vertices) => this.#presenter.view.setPreview(this.handles.bothSides(vertices)),
