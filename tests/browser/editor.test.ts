@@ -441,6 +441,30 @@ describe('on a vault', () => {
     expect(Math.abs((await script.screenPosition(dragged)).x - x)).toBeLessThan(20);
   });
 
+  const pixelsFrom = async (place: { x: number; y: number }) => {
+    const { x, y } = await script.screenPosition(dragged);
+    return Math.hypot(x - place.x, y - place.y);
+  };
+
+  test('what is in hand when another net opens stays with the one before', async () => {
+    const before = await script.screenPosition(dragged);
+    await dragBy(script, dragged, [-60, -40], { atEnd: () => script.open({ recipe: SHAPE }) });
+    await visit.page.mouse.move(before.x - 90, before.y);
+    await script.settled();
+    await expect.poll(() => pixelsFrom(before)).toBeLessThan(1);
+  });
+
+  test('while another net is being opened no handle is taken', async () => {
+    const { page } = visit;
+    const before = await script.screenPosition(dragged);
+    await page.evaluate(() => void window.chebnet.open({ recipe: 'jack:vertices=100000' }).catch(() => {}));
+    await dragBy(script, dragged, [-60, -40]);
+    await page.getByRole('button', { name: 'Cancel', exact: true }).press('Enter');
+    await script.settled();
+    expect(await pixelsFrom(before)).toBeLessThan(1);
+    expect(await page.evaluate(() => document.activeElement?.tagName)).toBe('CANVAS');
+  });
+
   test('undo takes back a whole drag, redo repeats it', async () => {
     const before = await script.positions();
     await dragBy(script, dragged, [-70, -50]);

@@ -216,10 +216,30 @@ test('a drag is recorded and saved as a video', async () => {
   await dragBy(visit.script, reference.suggestedHandles.at(-1)!, [-50, -40]);
   await notice.getByText(/0:\d[1-9] \/ 1:00/).waitFor();
   await visit.page.screenshot({ path: join(OUTPUT, 'recording.png') });
+  // Asked for again it goes on, on its background, and leads to its end.
+  const opacity = () =>
+    visit.page.locator('#view canvas').evaluate((canvas: HTMLCanvasElement) => {
+      canvas.dispatchEvent(new KeyboardEvent('keydown', { key: '+' }));
+      const copy = document.createElement('canvas').getContext('2d')!;
+      // After the picture that the key asks for, and before it is shown.
+      return new Promise<number>((resolve) =>
+        requestAnimationFrame(() => {
+          copy.drawImage(canvas, 0, 0);
+          resolve(copy.getImageData(0, 0, 1, 1).data[3]!);
+        }),
+      );
+    });
+  expect(await opacity()).toBe(255);
+  await press('Export');
+  await menu().getByRole('button', { name: 'Video' }).click();
+  const stop = notice.getByRole('button', { name: 'Stop and save' });
+  await expect.poll(() => stop.evaluate((button) => button === document.activeElement)).toBe(true);
+  expect(await opacity()).toBe(255);
   const download = visit.page.waitForEvent('download');
-  await notice.getByRole('button', { name: 'Stop and save' }).click();
+  await stop.click();
   const saved = await download;
   await notice.waitFor({ state: 'detached' });
+  await expect.poll(opacity).toBe(0);
   expect(saved.suggestedFilename()).toMatch(/^vault\.(webm|mp4)$/);
   const bytes = await readFile(await saved.path());
   // A Matroska file says so; and an empty one has a few hundred bytes.

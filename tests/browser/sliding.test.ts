@@ -102,3 +102,37 @@ test('one handle slides along what the list says, and a hand moves it only acros
   await visit.page.evaluate(() => window.chebnet.setOptions({ method: 'li2022' }));
   await visit.page.locator('.handles li p:visible', { hasText: /^This method holds handles/ }).waitFor();
 });
+
+test('the view of a detail stays while feet slide that are out of sight', async () => {
+  const border = Array.from({ length: 121 }, (_, v) => v).filter((v) =>
+    [v % 11, Math.floor(v / 11)].some((k) => k % 10 === 0),
+  );
+  await visit.page.evaluate(
+    ([crown, ...feet]) =>
+      window.chebnet.setHandles([
+        ...feet.map((vertex) => ({ vertex, anchor: false, slides: 'xy' as const })),
+        { vertex: crown!, anchor: false },
+      ]),
+    [CROWN, ...border],
+  );
+  await script.settled();
+  const { x, y } = await script.screenPosition(CROWN);
+  await visit.page.mouse.move(x, y);
+  for (let turn = 0; turn < 3; turn++) await visit.page.mouse.wheel(0, -300);
+  const view = (await visit.page.locator('#view').boundingBox())!;
+  const edge = async () => {
+    const [a, b] = [await script.screenPosition(CROWN), await script.screenPosition(CROWN + 1)];
+    return Math.hypot(a.x - b.x, a.y - b.y);
+  };
+  await expect.poll(edge).toBeGreaterThan(view.width / 10);
+  await visit.page.waitForTimeout(400); // the camera coasts
+  const before = await script.screenPosition(CROWN);
+  const atFirst = await width();
+  await script.move(CROWN, [0, 0, 0.3 * distance(await script.position(CROWN), await script.position(CROWN + 1))]);
+  await script.settled();
+  expect(await width()).toBeLessThan(atFirst);
+  await visit.page.waitForTimeout(400); // for as long as the camera would glide
+  const after = await script.screenPosition(CROWN);
+  expect(Math.abs(after.x - before.x)).toBeLessThan(5);
+  expect(Math.abs(after.y - before.y)).toBeLessThan(80);
+});

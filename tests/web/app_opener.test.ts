@@ -55,7 +55,7 @@ beforeEach(() => {
     cancelOpening: () => asked.at(-1)!.refuse(),
     restore: async () => void (restored += 1),
   };
-  state = new State(() => false, { document: () => {}, presentation: () => {} });
+  state = new State(() => false, { document: () => {}, presentation: () => {}, handles: () => {} });
   opener = new Opener(client, state, {
     leaving: () => told.push('leaving'),
     opened: () => told.push('opened'),

@@ -42,11 +42,15 @@ function frameAt(x: number, change: Partial<FrameData> = {}): FrameData {
   return frame as FrameData;
 }
 
-const runAt = (x: number) => ({ label: 'run', frame: frameAt(x) }) as unknown as Run;
+const runAt = (x: number, net = state.opening!.net) => ({ label: 'run', net, frame: frameAt(x) }) as unknown as Run;
 
 beforeEach(() => {
   calls = [];
-  state = new State(() => false, { document: () => {}, presentation: () => presenter.schedule() });
+  state = new State(() => false, {
+    document: () => {},
+    presentation: () => presenter.schedule(),
+    handles: () => presenter.presentHandles(),
+  });
   presenter = new Presenter(
     {
       createView: () => recorder() as View,
@@ -86,10 +90,33 @@ test('a drag is presented at once, and nothing else with it', async () => {
   await afterwards();
   calls = [];
   state.drag([{ vertex: 0, target: [1, 2, 3], anchor: false }]);
-  presenter.presentDrag();
+  presenter.presentHandles();
   expect(names()).toEqual(['setHandles', 'setHandles']);
   await afterwards();
   expect(calls).toHaveLength(2);
+});
+
+test('handles that slide are presented with each frame that moves them, and nothing else with them', async () => {
+  state.change({ handles: [{ vertex: 0, target: [0, 0, 0], anchor: false, slides: 'xy' }] });
+  await afterwards();
+  calls = [];
+  state.takeFrame(frameAt(1), false);
+  await afterwards();
+  expect(names()).toEqual(['setHandles', 'setHandles']);
+  expect(state.handles[0]!.target).toEqual([1, 0, 0]);
+  const { handles } = state;
+  state.takeFrame(frameAt(1), true);
+  await afterwards();
+  expect(state.handles).toBe(handles);
+  expect(calls).toHaveLength(2);
+});
+
+test('a run of a net that is not open any more is not shown', () => {
+  calls = [];
+  const other = { ...state.opening!.net };
+  presenter.showRun(runAt(7, other));
+  presenter.showBeside([runAt(7, other)]);
+  expect(calls).toEqual([]);
 });
 
 test('a run has its net and handles shown until the own net moves', async () => {

@@ -2,11 +2,11 @@
 import { beforeEach, describe, expect, test } from 'vitest';
 import { Comparer } from '../../web/src/compare/comparer';
 import { tableCsv, tracesCsv } from '../../web/src/compare/csv';
-import { type Comparison, type RunPlan, startLength } from '../../web/src/compare/run';
+import { canShow, type Comparison, newRun, type RunPlan, startLength } from '../../web/src/compare/run';
 import { styleOf } from '../../web/src/comparison/results';
 import { freshScene } from '../../web/src/document/defaults';
 import type { WorkerLike } from '../../web/src/worker/client';
-import type { Request, Response } from '../../web/src/worker/protocol';
+import type { FrameData, OpenedNet, Request, Response } from '../../web/src/worker/protocol';
 import { Server } from '../../web/src/worker/server';
 import { load } from '../wasm/load';
 
@@ -24,7 +24,7 @@ const plan = (method: string, change: Partial<RunPlan['scene']> = {}): RunPlan =
   style: 0,
   scene: { ...scene, method, ...change },
   threshold: 1e-6,
-  isOfOpenNet: true,
+  net: null,
 });
 const plans = (...methods: string[]): RunPlan[] => methods.map((method) => plan(method));
 
@@ -149,6 +149,15 @@ describe('cancelled', () => {
     expect(states()).toEqual(['ended']);
     expect(workers.map(({ terminated }) => terminated)).toEqual([true, true]);
   });
+});
+
+test('a run is shown in the place of the net it is of, as that was open, and no other', () => {
+  const [net, other] = [{}, {}] as OpenedNet[];
+  const run = { ...newRun({ ...plan('li2022'), net: net! }), frame: {} as FrameData };
+  expect(canShow(run, net!)).toBe(true);
+  expect(canShow(run, other!)).toBe(false);
+  expect(canShow({ ...run, frame: null }, net!)).toBe(false);
+  expect(canShow({ ...run, net: null }, null)).toBe(false);
 });
 
 test('tables for other programs are whole', async () => {

@@ -343,6 +343,7 @@ test('has the surface beside the net, which undo, a project and a worker after t
   page.loseWorker();
   await page.solve();
   expect(height()).toBeGreaterThan(near);
+  expect((await app.handles.guide())?.positions).toHaveLength(12);
   await app.putHandlesOnGuide();
   expect(app.opening!.document.handles.find(({ vertex }) => vertex === dragged)?.target[2]).toBe(0);
   expect(app.opening!.document.handles.find(({ anchor }) => anchor)?.target[2]).not.toBe(0);
@@ -360,4 +361,5 @@ test('has the surface beside the net, which undo, a project and a worker after t
   }
   expect(other.app.opening!.document).not.toHaveProperty('guide');
   expect(Math.hypot(...other.app.opening!.frame.fields.height)).toBe(0);
+  expect(await other.app.handles.guide()).toBeNull();
 });

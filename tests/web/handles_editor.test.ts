@@ -23,6 +23,8 @@ let asked: Handle[][];
 let said: string[];
 let returning: boolean;
 let refuses: boolean;
+/** Another net is being opened. */
+let isOpening: boolean;
 let readout: string;
 /** What the solver was told of the hand. */
 let handSays: Parameters<Client['drag']>[2];
@@ -57,6 +59,7 @@ const change = (part: object) => void (opening = { ...opening, document: { ...op
 
 beforeEach(() => {
   [asked, said, history, returning, refuses, released, readout] = [[], [], new UndoHistory(), false, false, 0, ''];
+  isOpening = false;
   const document = { ...documentAt(net.restPositions), handles: [handle(0), handle(2, { anchor: true }), handle(7)] };
   opening = { net, frame: { positions: net.restPositions }, document } as unknown as Opening;
   const take = async (targets: Handle[]) => {
@@ -80,7 +83,7 @@ beforeEach(() => {
     {
       opening: () => opening,
       before: snapshot,
-      beforeIfAny: snapshot,
+      beforeIfAny: () => (isOpening ? null : snapshot()),
       change,
       restore: ({ handles: before }) => change({ handles: [...before] }),
       drag: (dragged) => change({ handles: dragged }),
@@ -217,6 +220,14 @@ test('a part of the net is shown alone until it is shown whole, or another net i
   expect(editor.choice.part).toBeUndefined();
   expect(opening.document).toBe(before);
   expect(history.canUndo).toBe(false);
+});
+
+test('while another net is being opened no drag begins', () => {
+  isOpening = true;
+  expect(editor.beginDrag()).toBe(false);
+  expect(history.inGesture).toBe(false);
+  isOpening = false;
+  expect(editor.beginDrag()).toBe(true);
 });
 
 test('what has gone since the view took hold of it is not dragged', () => {

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { HandleData } from '../../web/src/document/document';
-import { all, toggled, united, unlocked, within } from '../../web/src/handles/selection';
+import { all, chosen, toggled, united, unlocked, within } from '../../web/src/handles/selection';
 
 const handle = (vertex: number, rest: Partial<HandleData> = {}): HandleData => ({
   vertex,
@@ -25,6 +25,10 @@ test('what is no handle any more drops out', () => {
 
 test('those that may move come with the leading one first', () => {
   expect(unlocked([8, 5, 3], handles).map(({ vertex }) => vertex)).toEqual([3, 8]);
+});
+
+test('those selected come in the order of selection', () => {
+  expect(chosen([8, 4, 3], handles).map(({ vertex }) => vertex)).toEqual([8, 3]);
 });
 
 test('hidden ones are not taken by "all"', () => {

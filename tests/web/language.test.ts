@@ -202,3 +202,8 @@ test('the installed page is the same in both languages but for its words', () =>
   });
   expect([name, description]).toEqual([en.page.title, expect.any(String)]);
 });
+
+test('in Chinese, how many are selected has no blank after its colon', () => {
+  const { narrator, changes } = panelsInChinese;
+  expect(narrator.selected(changes.several(5))).toBe('已选中：5 个手柄');
+});

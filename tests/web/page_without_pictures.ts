@@ -24,7 +24,7 @@ export async function openPage(core: Editors, whole = core): Promise<Page> {
   const said: string[] = [];
   const panels: unknown = Object.assign(Object.create(silent), { say: (message: string) => said.push(message) });
   const parts = {
-    createView: () => Object.assign(Object.create(silent), { unframed: () => null }),
+    createView: () => Object.assign(Object.create(silent), { unframed: () => null, screenPositions: nowhere }),
     createBeside: () => silent,
     createPanels: () => panels,
     spawnWorker: () => workers[workers.push(new WorkerHere(core, whole, tasks)) - 1],
@@ -37,6 +37,8 @@ export async function openPage(core: Editors, whole = core): Promise<Page> {
   await app.start();
   return { app, said, solve, loseWorker };
 }
+
+const nowhere = (vertices: readonly number[]) => vertices.map(() => ({ x: 0, y: 0 }));
 
 /** Has every method, none of which does anything. */
 const silent = new Proxy({}, { get: () => () => {} });

@@ -4,10 +4,10 @@ import { inPlane, onAxis } from '../../web/src/view/axis_drag';
 import { DragReport, ViewPlane } from '../../web/src/view/drag';
 import { random } from './random';
 
-function record() {
+function record(mayBegin = true) {
   const said: string[] = [];
   const report = new DragReport({
-    dragStart: () => void said.push('start'),
+    dragStart: () => said.push('start') > 0 && mayBegin,
     dragMove: (targets) =>
       void said.push(`move ${targets.map(({ vertex, target }) => `${vertex} to ${target}`).join(' and ')}`),
     dragEnd: (cancelled) => void said.push(cancelled ? 'cancel' : 'end'),
@@ -44,6 +44,14 @@ describe('a drag of two handles', () => {
     report.end(false);
     expect(said).toEqual(['start', 'cancel']);
   });
+});
+
+test('a drag that may not begin, as while another net is being opened, moves nothing', () => {
+  const { said, report } = record(false);
+  report.begin([7, 8]);
+  expect(report.isUnderWay).toBe(false);
+  report.end(false);
+  expect(said).toEqual(['start']);
 });
 
 test('a point is carried in the plane that faces the camera, from where it was gripped', () => {

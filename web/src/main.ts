@@ -73,6 +73,8 @@ const dropPlace = lazy(async () =>
 );
 const embedding = lazy(() => import('./embed/embed'));
 const hints = lazy(async () => new (await import('./learn/hints')).Hints(app, document.querySelector('.title h1')!));
+/** Leads to the end of the video that is being recorded; null: none is. */
+let showRecording: (() => void) | null = null;
 const ready = projects.start();
 window.chebnet = createScripting(app, ready);
 // Before the listener for keys below: Escape also gives wheel and touch back to the host.
@@ -158,16 +160,26 @@ async function saveAs(request: SaveRequest): Promise<void> {
   });
 }
 
-/** Records the view as a video until it is stopped. */
+/** Records the view as a video. One at a time: the end of another would take the background from the first. */
 async function record(): Promise<void> {
+  if (showRecording) return showRecording();
+  showRecording = () => {}; // it is about to begin
+  try {
+    await recordUntilStopped();
+  } finally {
+    showRecording = null;
+  }
+}
+
+async function recordUntilStopped(): Promise<void> {
   const net = app.opening?.document.net;
   const type = filmType();
   if (net === undefined || type === null) return;
   const [{ Recording }, { RecordingNotice }] = await filming();
   const film = await app.film();
-  if (document.querySelector('.recording')) return film.end();
   const recording = new Recording(film, type, (seconds) => notice.setSeconds(seconds));
   const notice = new RecordingNotice(element('panels'), () => recording.stop());
+  showRecording = () => notice.focus();
   try {
     download(fileNameOf(net, filmExtension(type), app.formats), await recording.done, type);
   } finally {

@@ -19,7 +19,8 @@ export type Lesson = 'net' | 'deviation' | 'energy' | 'stages';
 export const TAUGHT_METHOD = 'li2022';
 
 export interface PanelEvents {
-  openRecipe(recipe: string): void;
+  /** Open a shape; of those asked for while one is being opened, only the last. Resolves once that is open, or refused. */
+  openRecipe(recipe: string): Promise<void>;
   /** Cancel the opening of a net. */
   cancelOpening(): void;
   /** The user wants to pick a file, a net or a project. */
@@ -92,10 +93,12 @@ export interface PanelEvents {
   record(): void;
   /** Shows the whole net. */
   frameAll(from?: Side): void;
+  /** Whether it is shown, or will be in a moment: since that was asked for no hand has moved the camera. */
+  isFramed(): boolean;
   /** Whether requests that change the net are unanswered, or it is yet to settle. */
   isChanging(): boolean;
-  /** Where a vertex stands, CSS pixels from the top left of the page. */
-  screenPosition(vertex: number): { x: number; y: number };
+  /** Where vertices stand, CSS pixels from the top left of the page. */
+  screenPositions(vertices: readonly number[]): { x: number; y: number }[];
 }
 
 /** A button beside a message. */

@@ -32,6 +32,7 @@ import { Client, isCancelled } from '../worker/client';
 import type { WorkerLike } from '../worker/client';
 import type { Opening } from '../worker/opening';
 import type { ExportFormat, FrameData, OpenedNet } from '../worker/protocol';
+import { latestOnly } from './latest';
 import { Opener } from './opener';
 import { Presenter, type Screen } from './presenter';
 import { noNet, State } from './state';
@@ -90,6 +91,7 @@ export class App {
     this.#state = new State(() => this.#client.changing, {
       document: () => this.#emit('changed'),
       presentation: () => this.#presenter.schedule(),
+      handles: () => this.#presenter.presentHandles(),
     });
     this.handles = this.#createHandleEditor();
     // Before the view, whose construction blocks the page for a while: the worker loads meanwhile.
@@ -139,7 +141,7 @@ export class App {
   }
 
   screenPosition(vertex: number): { x: number; y: number } {
-    return this.#presenter.view.screenPosition(vertex);
+    return this.#presenter.view.screenPositions([vertex])[0]!;
   }
 
   /** Neither a solve nor a drag is under way. */
@@ -449,14 +451,14 @@ export class App {
   /** Runs methods on the present edit, in a worker of their own. */
   compare({ methods, start }: ComparisonRequest): void {
     if (this.opening === null) return;
-    const { document } = this.opening;
+    const { document, net } = this.opening;
     const positions = start === 'rest' ? null : document.positions;
     const planOf = (method: string): RunPlan => ({
       label: words.core.method(method),
       style: this.#methods.indexOf(method), // the same in every comparison
       scene: { ...document, method, positions },
       threshold: this.#threshold(document),
-      isOfOpenNet: true,
+      net,
     });
     this.#run(methods.map(planOf));
   }
@@ -464,13 +466,13 @@ export class App {
   /** Runs these from rest, in a worker of their own; those without an edit of their own on the present one. */
   runAll(requests: readonly RunRequest[]): void {
     if (this.opening === null) return;
-    const { document } = this.opening;
+    const { document, net } = this.opening;
     const planOf = ({ label, edit, ...settings }: RunRequest, style: number): RunPlan => ({
       label,
       style,
       scene: { ...document, ...settings, ...(edit ? { ...edit, numbering: undefined } : {}), positions: null },
       threshold: this.#threshold(settings),
-      isOfOpenNet: edit === undefined,
+      net: edit === undefined ? net : null,
     });
     this.#run(requests.map(planOf));
   }
@@ -527,7 +529,7 @@ export class App {
         change: (change) => this.#state.change(change),
         drag: (handles) => {
           this.#state.drag(handles);
-          this.#presenter.presentDrag();
+          this.#presenter.presentHandles();
         },
         restore: (snapshot) => this.#attempt(this.#opener.restore(snapshot)),
         choiceChanged: () => this.#presenter.schedule(),
@@ -546,7 +548,7 @@ export class App {
       select: (selection) => this.handles.select(selection),
       dragStart: () => {
         this.#presenter.showRun(null);
-        this.handles.beginDrag();
+        return this.handles.beginDrag();
       },
       dragMove: (targets, along) => this.handles.drag(targets, along),
       dragEnd: (cancelled) => this.handles.endDrag(cancelled),
@@ -559,7 +561,10 @@ export class App {
   #panelEvents(services: AppServices): PanelEvents {
     return {
       ...services,
-      openRecipe: (recipe) => this.#attempt(this.openNet({ recipe })),
+      openRecipe: latestOnly(
+        (recipe) => this.openNet({ recipe }),
+        (error) => this.report(error),
+      ),
       cancelOpening: () => this.cancelOpening(),
       handles: this.handles,
       preview: (vertices) => this.#presenter.view.setPreview(this.handles.bothSides(vertices)),
@@ -593,7 +598,8 @@ export class App {
       redo: () => this.redo(),
       goTo: (index) => this.goTo(index),
       frameAll: (from) => this.frameAll(from),
-      screenPosition: (vertex) => this.screenPosition(vertex),
+      isFramed: () => this.#presenter.view.framed,
+      screenPositions: (vertices) => this.#presenter.view.screenPositions(vertices),
       isChanging: () => this.#client.changing,
     };
   }

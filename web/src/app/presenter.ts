@@ -1,6 +1,6 @@
 /** Keeps view and panels up to date. All changes within one task are presented once, after it. */
 import { Beside } from '../compare/beside';
-import type { Run } from '../compare/run';
+import { canShow, type Run } from '../compare/run';
 import { type ChebnetDocument, type GuideSource, type HandleData, lookOf } from '../document/document';
 import type { Choice } from '../handles/commands';
 import type { PanelEvents, Panels } from '../panels';
@@ -117,8 +117,8 @@ export class Presenter {
     this.#presentNumbers(frame);
   }
 
-  /** The dragged handles only, and at once: they follow the pointer. */
-  presentDrag(): void {
+  /** Handles only, and at once: they follow the pointer, or the net on which they slide. */
+  presentHandles(): void {
     const { handles } = this.#presented.state;
     const choice = this.#presented.choice();
     this.view.setHandles(handles, choice);
@@ -134,10 +134,11 @@ export class Presenter {
 
   // -------------------------------------------------------------------------------------------------- nets of a comparison
 
-  /** Shows the net of a run in place of the user's, which comes back with null or whenever it moves. */
+  /** Shows the net of a run in place of the user's, which comes back with null or whenever it moves. One of another net is not
+   *  shown: it has other vertices. */
   showRun(run: Run | null): void {
     const { opening } = this.#presented.state;
-    if (run === this.#shownRun || opening === null) return;
+    if (run === this.#shownRun || opening === null || (run && !canShow(run, opening.net))) return;
     this.#shownRun = run;
     this.view.setFrame(run?.frame ?? opening.frame);
     this.panels.setRuns(run, this.#runsBeside);
@@ -145,8 +146,9 @@ export class Presenter {
   }
 
   /** Shows the nets of these runs beside the other, seen from the same place, and no more. */
-  showBeside(runs: readonly Run[]): void {
+  showBeside(wanted: readonly Run[]): void {
     const { opening } = this.#presented.state;
+    const runs = wanted.filter((run) => canShow(run, opening?.net ?? null));
     if (opening === null || (runs.length === 0 && this.#runsBeside.length === 0)) return;
     this.#runsBeside = runs;
     const frames = runs.flatMap(({ frame }) => frame ?? []);

@@ -15,6 +15,8 @@ export interface StateEvents {
   document(): void;
   /** There is something new to be presented, beyond what a frame or a drag changes. */
   presentation(): void;
+  /** Handles that slide have followed the net, in a frame. */
+  handles(): void;
 }
 
 /** Something was asked of the net that is open. */
@@ -93,12 +95,14 @@ export class State {
   takeFrame(frame: FrameData, settled: boolean): void {
     if (this.#opening === null) return;
     const { document: before } = this.#opening;
-    const handles =
-      settled || frame.holdsBack ? whereTheyStand(before.handles, frame) : whereTheySlide(before.handles, frame);
+    const stand = settled || frame.holdsBack;
+    const handles = stand ? whereTheyStand(before.handles, frame) : whereTheySlide(before.handles, frame);
     const ending = settled ? endingOf(frame.status) : undefined;
     const document = { ...before, handles, positions: frame.positions, settled, ending };
     this.#set({ ...this.#opening, frame, document });
-    if (handles !== before.handles) this.#events.presentation();
+    if (handles === before.handles) return;
+    if (stand) this.#events.presentation();
+    else this.#events.handles();
   }
 
   /** A handle of the solver, with what only the document knows about it. */
@@ -120,22 +124,25 @@ export class State {
 /** Handles that are held back, or were until the hand let go, have other targets than the hand gave them. */
 function whereTheyStand(handles: HandleData[], frame: FrameData): HandleData[] {
   const targets = new Map(frame.handles.map(({ vertex, target }) => [vertex, target]));
-  const moved = handles.map((handle) => {
-    const target = targets.get(handle.vertex) ?? handle.target;
-    return target.every((x, i) => x === handle.target[i]) ? handle : { ...handle, target };
-  });
-  return moved.some((handle, i) => handle !== handles[i]) ? moved : handles;
+  return withTargets(handles, ({ vertex, target }) => targets.get(vertex) ?? target);
 }
 
 /** Handles that slide follow the net; what else of their targets is newer than the frame stays. */
 function whereTheySlide(handles: HandleData[], frame: FrameData): HandleData[] {
-  if (!handles.some(({ slides }) => slides)) return handles;
-  return handles.map((handle) => {
-    const at = 3 * handle.vertex;
+  return withTargets(handles, ({ vertex, target, slides }) => {
     const slid = (x: number, i: number): number =>
-      handle.slides!.includes('xyz'[i]!) ? (frame.positions[at + i] ?? x) : x;
-    return handle.slides ? { ...handle, target: handle.target.map(slid) as Vec3 } : handle;
+      slides!.includes('xyz'[i]!) ? (frame.positions[3 * vertex + i] ?? x) : x;
+    return slides ? (target.map(slid) as Vec3) : target;
   });
+}
+
+/** The same array where none has another target. */
+function withTargets(handles: HandleData[], targetOf: (handle: HandleData) => Vec3): HandleData[] {
+  const moved = handles.map((handle) => {
+    const target = targetOf(handle);
+    return target.every((x, i) => x === handle.target[i]) ? handle : { ...handle, target };
+  });
+  return moved.some((handle, i) => handle !== handles[i]) ? moved : handles;
 }
 
 /** Those that the page has of an open net anyway, in place of the text it came from. */

@@ -1,7 +1,7 @@
 /** What a comparison consists of, as plain data. */
 import type { TraceRow } from '../../../wasm/chebnet';
 import type { HandleSeed, NetSource, SolverSettings } from '../document/document';
-import type { FrameData, Measures } from '../worker/protocol';
+import type { FrameData, Measures, OpenedNet } from '../worker/protocol';
 import type { RunScene } from './run_solver';
 
 /** Settings for a run of the present edit. */
@@ -20,8 +20,8 @@ export interface RunPlan {
   readonly scene: RunScene;
   /** dL below which it has converged. */
   readonly threshold: number;
-  /** Its net is the open one, so that its result can be shown in the view. */
-  readonly isOfOpenNet: boolean;
+  /** As it was open when the run was asked for: only there its result can be shown. null: it is of another net. */
+  readonly net: OpenedNet | null;
 }
 
 /** `ended`: the solver came to an end of its own, good or bad; `frame.status` says which. */
@@ -70,8 +70,8 @@ export function newRun(plan: RunPlan): Run {
 }
 
 /** Whether its net can be shown in the place of the one that is open. */
-export function canShow({ isOfOpenNet, frame }: Run): boolean {
-  return isOfOpenNet && frame !== null;
+export function canShow({ net, frame }: Run, open: OpenedNet | null): boolean {
+  return net !== null && net === open && frame !== null;
 }
 
 /** How many iterations the initialisation made before those of the method. */

@@ -4,6 +4,7 @@ import { lazy } from '../lazy';
 import type { ComparisonResults } from './results';
 import { make } from '../elements/dom';
 import type { Panel, PanelEvents } from '../panels';
+import type { OpenedNet } from '../worker/protocol';
 
 const loadResults = lazy(() => import('./results'));
 
@@ -12,6 +13,8 @@ export class ComparisonPlace implements Panel {
   readonly element = make('section', { hidden: true });
   #results: ComparisonResults | null = null;
   #comparison: Comparison | null = null;
+  /** Others may have been opened before the results have come. */
+  #net: OpenedNet | null = null;
   readonly #events: PanelEvents;
   readonly #failed: (error: unknown) => void;
 
@@ -33,8 +36,9 @@ export class ComparisonPlace implements Panel {
     this.#results?.setShown(run, beside);
   }
 
-  setNet(): void {
-    this.#results?.netChanged();
+  setNet(net: OpenedNet): void {
+    this.#net = net;
+    this.#results?.setNet(net);
   }
 
   async #load(): Promise<void> {
@@ -42,6 +46,7 @@ export class ComparisonPlace implements Panel {
     if (this.#results || !this.#comparison) return;
     this.#results = new ComparisonResults(this.#events);
     this.element.replaceWith(this.#results.element);
+    if (this.#net) this.#results.setNet(this.#net);
     this.#results.setComparison(this.#comparison);
   }
 }

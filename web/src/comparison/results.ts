@@ -8,6 +8,7 @@ import { ComparisonPlot, type CurveStyle, type LineStyle } from './plot';
 import { ComparisonTable } from './table';
 import { make, makeButton, setText } from '../elements/dom';
 import type { PanelEvents } from '../panels';
+import type { OpenedNet } from '../worker/protocol';
 import './results.css';
 
 /** Interval between updates, in milliseconds: faster numbers cannot be read. */
@@ -33,7 +34,8 @@ export class ComparisonResults {
   #comparison: Comparison | null = null;
   #current: Run | null = null;
   #beside: readonly Run[] = [];
-  #netIsOpen = true;
+  /** The one that is open. */
+  #net: OpenedNet | null = null;
   #timer = 0;
   readonly #events: PanelEvents;
 
@@ -76,15 +78,14 @@ export class ComparisonResults {
     this.#refreshTable();
   }
 
-  /** Another net is open: those of the comparison cannot be shown in its place. */
-  netChanged(): void {
-    this.#netIsOpen = false;
+  /** Of another net, those of the comparison cannot be shown in its place. */
+  setNet(net: OpenedNet): void {
+    this.#net = net;
     this.#refreshTable();
   }
 
   #begin(comparison: Comparison): void {
     this.#comparison = comparison;
-    this.#netIsOpen = true;
     this.element.hidden = false;
     this.#table.setRuns(comparison.runs);
     // What is there to be read and clicked is of the one before.
@@ -102,14 +103,14 @@ export class ComparisonResults {
   }
 
   #refreshTable(): void {
-    this.#table.refresh(this.#current, this.#beside, this.#netIsOpen);
-    this.#abreast.disabled = !this.#netIsOpen || this.#toShowAbreast().length < 2;
+    this.#table.refresh(this.#current, this.#beside, this.#net);
+    this.#abreast.disabled = this.#toShowAbreast().length < 2;
     this.#abreast.setAttribute('aria-pressed', String(this.#current !== null && this.#beside.length > 0));
   }
 
   /** The first runs with a net to show. */
   #toShowAbreast(): Run[] {
-    return this.#comparison?.runs.filter(canShow).slice(0, mostAbreast()) ?? [];
+    return this.#comparison?.runs.filter((run) => canShow(run, this.#net)).slice(0, mostAbreast()) ?? [];
   }
 
   #toggleAbreast(): void {

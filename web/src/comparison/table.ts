@@ -5,6 +5,7 @@ import { panelWords } from '../language/panels';
 import type { CurveStyle } from './plot';
 import { make, makeButton, setText } from '../elements/dom';
 import { count, milliseconds, NOTHING, small } from '../language/numbers';
+import type { OpenedNet } from '../worker/protocol';
 
 const DEGREES = 180 / Math.PI;
 
@@ -70,13 +71,13 @@ export class ComparisonTable {
     );
   }
 
-  /** @param current the run whose net is in the view. @param open whether nets of this comparison can be shown. */
-  refresh(current: Run | null, beside: readonly Run[], open: boolean): void {
+  /** @param current the run whose net is in the view. @param open the user's. */
+  refresh(current: Run | null, beside: readonly Run[], open: OpenedNet | null): void {
     for (const row of this.#rows) {
       const { run, cells } = row;
       row.button.setAttribute('aria-pressed', String(run === current));
       row.beside.setAttribute('aria-pressed', String(beside.includes(run)));
-      row.button.disabled = row.beside.disabled = !open || !canShow(run);
+      row.button.disabled = row.beside.disabled = !canShow(run, open);
       COLUMNS.forEach(({ text }, i) => setText(cells[i]!, text(run) ?? NOTHING));
     }
   }
@@ -87,7 +88,7 @@ export class ComparisonTable {
     swatch.style.setProperty('color', `var(${colour})`);
     const button = makeButton(swatch, () => {}, {
       class: 'plain',
-      title: run.isOfOpenNet ? panelWords.comparison.show : panelWords.comparison.otherNet,
+      title: run.net !== null ? panelWords.comparison.show : panelWords.comparison.otherNet,
     });
     button.append(run.label);
     const beside = makeButton(panelWords.comparison.beside, () => this.#events.showBeside(run), {

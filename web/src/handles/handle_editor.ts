@@ -380,12 +380,14 @@ export class HandleEditor implements HandleCommands {
     return this.move(targets, null, this.#guide.keepsWithin);
   }
 
-  beginDrag(): void {
+  /** Returns whether it can begin. */
+  beginDrag(): boolean {
     const before = this.#host.beforeIfAny();
-    if (before === null) return;
+    if (before === null) return false;
     this.#dragName = null;
     this.#prepareInfluence();
     this.#history.beginGesture(before);
+    return true;
   }
 
   /** `along`: what the drag is kept to, from now on. Handles that have gone since the view took hold of them are left out. */

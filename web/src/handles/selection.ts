@@ -20,11 +20,15 @@ export function within(selection: Selection, handles: readonly HandleData[]): Se
     : selection.filter((vertex) => present.has(vertex));
 }
 
-/** The selected handles that may be moved or removed, the leading one first. */
-export function unlocked(selection: Selection, handles: readonly HandleData[]): HandleData[] {
+/** The selected handles, in the order of selection. */
+export function chosen(selection: Selection, handles: readonly HandleData[]): HandleData[] {
   const byVertex = new Map(handles.map((handle) => [handle.vertex, handle]));
-  const chosen = [...selection].reverse().flatMap((vertex) => byVertex.get(vertex) ?? []);
-  return chosen.filter(({ anchor }) => !anchor);
+  return selection.flatMap((vertex) => byVertex.get(vertex) ?? []);
+}
+
+/** Those that may be moved or removed, the leading one first. */
+export function unlocked(selection: Selection, handles: readonly HandleData[]): HandleData[] {
+  return chosen([...selection].reverse(), handles).filter(({ anchor }) => !anchor);
 }
 
 /** All visible handles. */

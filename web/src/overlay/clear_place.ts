@@ -11,9 +11,9 @@ const HANDLE_RADIUS = 12;
 export function placeClear(
   element: HTMLElement,
   handles: readonly HandleData[],
-  { screenPosition }: Pick<PanelEvents, 'screenPosition'>,
+  { screenPositions }: Pick<PanelEvents, 'screenPositions'>,
 ): void {
-  const points = handles.map(({ vertex }) => screenPosition(vertex));
+  const points = screenPositions(handles.map(({ vertex }) => vertex));
   const isClearAt = (place: string): boolean => {
     element.dataset['place'] = place;
     const box = element.getBoundingClientRect();

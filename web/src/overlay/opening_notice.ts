@@ -1,6 +1,7 @@
 /** A notice over the view that another net is being opened, with a button to cancel. */
 import { words } from '../language/language';
 import { make, makeButton } from '../elements/dom';
+import { showLine } from '../elements/leave';
 import type { Panel } from '../panels';
 import './messages.css';
 
@@ -16,7 +17,7 @@ export class OpeningNotice implements Panel {
   }
 
   setOpening(isUnderWay: boolean, canCancel: boolean): void {
+    showLine(this.element, this.#line, isUnderWay);
     this.#cancel.hidden = !canCancel;
-    this.element.replaceChildren(...(isUnderWay ? [this.#line] : []));
   }
 }

@@ -1,6 +1,7 @@
 /** A notice over the view that it shows a part of the net, with a button back to all of it. */
 import type { HandleData } from '../document/document';
 import { make, makeButton } from '../elements/dom';
+import { showLine } from '../elements/leave';
 import type { Choice } from '../handles/commands';
 import { panelWords } from '../language/panels';
 import type { Panel, PanelEvents } from '../panels';
@@ -21,8 +22,6 @@ export class PartNotice implements Panel {
   }
 
   setHandles(_handles: readonly HandleData[], { part }: Choice): void {
-    const isShown = this.element.hasChildNodes();
-    if (part && !isShown) this.element.append(this.#line);
-    else if (!part && isShown) this.#line.remove();
+    showLine(this.element, this.#line, part !== undefined);
   }
 }

@@ -2,23 +2,31 @@
 import { LONGEST } from '../export/recording';
 import { panelWords } from '../language/panels';
 import { make, makeButton, setText } from '../elements/dom';
+import { leave } from '../elements/leave';
 import './recording_notice.css';
 
 export class RecordingNotice {
   readonly #time = make('span', { class: 'time' });
+  readonly #stop: HTMLButtonElement;
   readonly #element: HTMLElement;
 
   constructor(root: HTMLElement, stop: () => void) {
+    this.#stop = makeButton(panelWords.recording.stop, stop);
     this.#element = make(
       'div',
       { class: 'recording', role: 'group', 'aria-label': panelWords.recording.title },
       make('i', { class: 'dot' }),
       this.#time,
-      makeButton(panelWords.recording.stop, stop),
+      this.#stop,
     );
     this.setSeconds(0);
     root.append(this.#element);
-    this.#element.querySelector('button')!.focus();
+    this.focus();
+  }
+
+  /** Leads to its end. */
+  focus(): void {
+    this.#stop.focus();
   }
 
   setSeconds(seconds: number): void {
@@ -26,6 +34,7 @@ export class RecordingNotice {
   }
 
   remove(): void {
+    leave(this.#element);
     this.#element.remove();
   }
 }

@@ -1,6 +1,7 @@
 /** A notice over the view that it shows the net of a run, with a button back to the user's own. */
 import type { Run } from '../compare/run';
 import { make, makeButton, setText } from '../elements/dom';
+import { showLine } from '../elements/leave';
 import { panelWords } from '../language/panels';
 import type { Panel, PanelEvents } from '../panels';
 import './run_notice.css';
@@ -22,9 +23,8 @@ export class RunNotice implements Panel {
   }
 
   setRuns(run: Run | null, beside: readonly Run[]): void {
-    if (run === null && beside.length === 0) return this.element.replaceChildren();
     const names = [run?.label ?? WORDS.yourNet, ...beside.map(({ label }) => label)];
     setText(this.#words, beside.length === 0 ? WORDS.showing(names[0]!) : WORDS.showingAll(names));
-    this.element.replaceChildren(this.#line);
+    showLine(this.element, this.#line, run !== null || beside.length > 0);
   }
 }

@@ -6,6 +6,7 @@ import { unlocked } from '../handles/selection';
 import { panelWords } from '../language/panels';
 import { make, makeButton, makeIcon, setText } from '../elements/dom';
 import { ICONS } from '../elements/icons';
+import { setHidden } from '../elements/leave';
 import { NumberField } from '../elements/number_field';
 import { whilePointedAt } from '../elements/pointed_at';
 import type { Panel, PanelEvents } from '../panels';
@@ -107,7 +108,7 @@ export class SelectionBar implements Panel {
   /** Buttons that go cannot be left, and what they preview would stay. */
   #hide(): void {
     if (!this.element.hidden) this.#events.preview([]);
-    this.element.hidden = true;
+    setHidden(this.element, true);
   }
 
   get #vertices(): number[] {

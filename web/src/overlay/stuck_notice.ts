@@ -4,6 +4,7 @@
 import type { ChebnetDocument, HandleData } from '../document/document';
 import type { HistoryView } from '../document/undo';
 import { make, makeButton, setText } from '../elements/dom';
+import { setHidden, showLine } from '../elements/leave';
 import type { Choice } from '../handles/commands';
 import { unlocked } from '../handles/selection';
 import { apart } from '../language/numbers';
@@ -152,17 +153,17 @@ export class StuckNotice implements Panel {
   #show(): void {
     const standing = this.#standing;
     const isAsked = standing === 'stuck' || standing === 'short';
-    this.#back.hidden = standing !== 'stuck' || !this.#history?.canUndo || this.#lastGood === undefined;
-    this.#soften.hidden = standing !== 'stuck' || this.#candidates.length === 0;
-    this.#grow.hidden = !isAsked || (standing === 'stuck' && this.#worst === undefined);
-    this.#widen.hidden = standing !== 'stuck' || this.#document?.locality === undefined;
-    this.#stop.hidden = standing !== 'growing';
-    this.#lengthsBack.hidden = standing !== 'grown';
-    this.#dismiss.hidden = standing === 'growing';
+    setHidden(this.#back, standing !== 'stuck' || !this.#history?.canUndo || this.#lastGood === undefined);
+    setHidden(this.#soften, standing !== 'stuck' || this.#candidates.length === 0);
+    setHidden(this.#grow, !isAsked || (standing === 'stuck' && this.#worst === undefined));
+    setHidden(this.#widen, standing !== 'stuck' || this.#document?.locality === undefined);
+    setHidden(this.#stop, standing !== 'growing');
+    setHidden(this.#lengthsBack, standing !== 'grown');
+    setHidden(this.#dismiss, standing === 'growing');
     if (standing !== 'good' && standing !== 'growing') setText(this.#words, this.#reason(standing));
     if (standing === 'good') this.#dismissed = null;
     const isShown = standing !== 'good' && this.#words.textContent !== this.#dismissed;
-    if (isShown !== this.#isShown) this.element.replaceChildren(...(isShown ? [this.#line] : []));
+    showLine(this.element, this.#line, isShown);
   }
 
   get #isShown(): boolean {

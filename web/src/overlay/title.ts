@@ -2,6 +2,7 @@
 import type { HandleData } from '../document/document';
 import { make, makeButton, setText } from '../elements/dom';
 import type { Choice } from '../handles/commands';
+import { chosen, type Selection } from '../handles/selection';
 import { words } from '../language/language';
 import type { Panel, PanelEvents } from '../panels';
 
@@ -28,9 +29,13 @@ export class Title implements Panel {
     this.#toDrag.hidden = selecting || !draggable;
     this.#toClick.hidden = selecting || draggable;
     this.#propose.hidden = selecting || handles.length > 0;
-    const locked = handles.filter(({ anchor, vertex }) => anchor && selection.includes(vertex)).length;
-    setText(this.#toSelect, selecting ? words.intro.select(selection.length, locked) : '');
+    setText(this.#toSelect, selecting ? words.intro.select(selection.length, lockedOf(selection, handles)) : '');
   }
+}
+
+/** How many of those selected are locked. */
+function lockedOf(selection: Selection, handles: readonly HandleData[]): number {
+  return chosen(selection, handles).filter(({ anchor }) => anchor).length;
 }
 
 function makeDragLine(): HTMLElement {

@@ -46,6 +46,8 @@ export class ChangePanel implements Panel {
   /** Of each vertex its piece; null: there is one piece. */
   #pieces: Int32Array | null = null;
   #choice: Pick<Choice, 'selection' | 'onBoundary' | 'lines'> = { selection: [], onBoundary: false, lines: 0 };
+  /** A button or the choice of a line shows what it would do. */
+  #isPreviewing = false;
   /** How many lines there are to choose from, and of which kinds. */
   #offered = '';
 
@@ -111,8 +113,11 @@ export class ChangePanel implements Panel {
   }
 
   setHandles(_handles: readonly HandleData[], choice: Choice): void {
+    const isSame = choice.selection === this.#choice.selection;
     this.#choice = choice;
     this.#offer();
+    // Of the selection before; controls that have been disabled do not tell when they lose the focus.
+    if (!isSame && this.#isPreviewing) this.#preview(null);
   }
 
   #offer(): void {
@@ -196,6 +201,7 @@ export class ChangePanel implements Panel {
   /** The line, and what goes with its side; null: nothing is about to be done, and a line that was drawn stays to be seen, with
    *  its smaller side faded. */
   #preview(way: LineWay | null): void {
+    this.#isPreviewing = way !== null;
     this.#allowSides();
     const isShown = way !== null || this.#isDrawnChosen;
     this.#events.previewAlone(isShown ? this.#verticesOf(this.#place) : []);

@@ -17,7 +17,7 @@ export class DragPanel implements Panel {
   readonly #locality: RadiusSlider;
   readonly #influence: RadiusSlider;
   readonly #snap: SnapControls;
-  readonly #present: Present = { net: null, positions: null, selected: [] };
+  readonly #present: Present = { net: null, positions: null, handles: [], selection: [] };
 
   /** @param say tells the visitor what cannot be done. */
   constructor(commands: HandleCommands, say: (message: string) => void, failed: (error: unknown) => void) {
@@ -55,7 +55,7 @@ export class DragPanel implements Panel {
   }
 
   setHandles(handles: readonly HandleData[], { selection }: Choice): void {
-    this.#present.selected = selection.flatMap((vertex) => handles.find((each) => each.vertex === vertex) ?? []);
+    Object.assign(this.#present, { handles, selection });
   }
 
   setDocument({ locality, influence, guide }: ChebnetDocument): void {

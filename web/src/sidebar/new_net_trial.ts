@@ -81,9 +81,9 @@ export class NewNetTrial {
     if (response.type === 'tried') this.#tried.push(response.tried);
     this.#render();
     if (response.type !== 'ended') return;
+    const isLookedAt = this.#hasFocus;
     this.stop();
-    this.#start.focus({ preventScroll: true });
-    this.#verdict.scrollIntoView();
+    if (isLookedAt) this.#verdict.scrollIntoView();
   }
 
   #fail(error: unknown): void {
@@ -91,10 +91,18 @@ export class NewNetTrial {
     this.#failed(error);
   }
 
+  /** Otherwise the visitor is doing something else meanwhile, and hears how it ends. */
+  get #hasFocus(): boolean {
+    return document.activeElement === this.#stop;
+  }
+
+  /** The focus goes from one button to the other with what they do. */
   #arrange(): void {
     const isBusy = this.#worker !== null;
+    const hasFocus = this.#hasFocus;
     this.#start.hidden = isBusy;
     this.#stop.hidden = this.#row.hidden = !isBusy;
+    if (!isBusy && hasFocus) this.#start.focus({ preventScroll: true });
   }
 
   #renderProgress({ edit, makes, done }: Extract<NewNetResponse, { type: 'progress' }>): void {

@@ -16,7 +16,7 @@ export class ShapePanel implements Panel {
   #shapes: ShapeInfo[] = [];
 
   constructor(events: PanelEvents) {
-    const open = (recipe: string): void => events.openRecipe(recipe);
+    const open = (recipe: string): Promise<void> => events.openRecipe(recipe);
     this.#gallery = new Gallery(open, () => events.pickFile());
     this.#parameters = new ShapeParameters(open);
     const equalize = makeButton(words.equalize.command, () => events.equalize(), { title: words.equalize.commandHint });

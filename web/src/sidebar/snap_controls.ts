@@ -5,6 +5,7 @@ import type { KeyRow } from '../elements/keys';
 import { NumberField } from '../elements/number_field';
 import type { HandleCommands } from '../handles/commands';
 import { borderOfNet, borderOfSurface, type Curve, throughHandles } from '../handles/curve';
+import { chosen, type Selection } from '../handles/selection';
 import { Snapping } from '../handles/snapping';
 import { SurfacePoints } from '../handles/surface_points';
 import { panelWords } from '../language/panels';
@@ -21,11 +22,13 @@ export const SNAP_KEYS: readonly KeyRow[] = [
 const CURVES = ['none', 'net', 'surface', 'handles'] as const;
 type CurveName = (typeof CURVES)[number];
 
-/** The net that is open as it lies now, and its selected handles in the order of selection. */
+/** The net that is open as it lies now, and its handles. Shown with every frame of a drag: what a curve needs of them is
+ *  looked for when one is chosen. */
 export interface Present {
   net: OpenedNet | null;
   positions: Float64Array | null;
-  selected: readonly HandleData[];
+  handles: readonly HandleData[];
+  selection: Selection;
 }
 
 export class SnapControls {
@@ -138,9 +141,9 @@ export class SnapControls {
 
   /** Null: there is no such curve. */
   async #curveOf(name: CurveName): Promise<Curve | null> {
-    const { net, positions, selected } = this.#present;
+    const { net, positions, handles, selection } = this.#present;
     if (name === 'net') return net && positions && borderOfNet(net, positions);
-    if (name === 'handles') return throughHandles(selected);
+    if (name === 'handles') return throughHandles(chosen(selection, handles));
     const surface = name === 'surface' ? await this.#commands.guide() : null;
     return surface && borderOfSurface(surface);
   }

@@ -6,7 +6,7 @@ import type { ViewEvents } from './view';
 
 export type DragEvents = Pick<ViewEvents, 'dragStart' | 'dragMove' | 'dragEnd'>;
 
-/** Reports a drag as events: a start, at most one move a frame, an end. */
+/** Reports a drag as events: a start, at most one move a frame, an end. Nothing is reported of one that may not begin. */
 export class DragReport {
   #held: readonly number[] = [];
   #pending: { targets: Handle[]; along: Along | null } | null = null;
@@ -26,9 +26,9 @@ export class DragReport {
   }
 
   begin(vertices: readonly number[]): void {
-    this.#held = vertices;
     this.#pending = null;
-    this.#events.dragStart();
+    this.#held = vertices;
+    if (!this.#events.dragStart()) this.#held = [];
   }
 
   /** `along`: what the move is kept to. */

@@ -156,7 +156,7 @@ export class Gestures {
   #downToo(event: PointerEvent, press: Press): void {
     if (isUnderWay(press)) return event.stopPropagation();
     clearTimeout(this.#longTouch);
-    this.#giveUp();
+    this.giveUp();
     this.#context.gizmo.setEnabled(false);
   }
 
@@ -170,8 +170,7 @@ export class Gestures {
       if (isUnderWay(press)) event.stopPropagation();
       return;
     }
-    // It was released where the page was not told of it.
-    if (event.buttons === 0) return this.#up(event);
+    if (event.buttons === 0) return this.#upUnseen(event, press);
     const at = (press.last = this.#place(event));
     press.gone = Math.max(press.gone, Math.hypot(at.x - press.at.x, at.y - press.at.y));
     if (!press.moved && press.gone > STILL[kind(event)]) this.#begin(press);
@@ -211,6 +210,14 @@ export class Gestures {
     else if (!press.moved && !press.onGizmo) this.#click(press.at, event);
   }
 
+  /** It was released where neither the page nor the gizmo was told of it. */
+  #upUnseen(event: PointerEvent, { onGizmo }: Press): void {
+    this.#up(event);
+    if (!onGizmo) return;
+    this.#context.gizmo.release();
+    this.#context.report.end(false);
+  }
+
   /** pointercancel: the system uses the pointer for a gesture of its own. */
   #lost(event: PointerEvent): void {
     if (event.pointerId !== this.#press?.pointer) return;
@@ -229,8 +236,9 @@ export class Gestures {
     this.#context.outline(null);
   }
 
-  /** Forgets what the pointer was about to do. */
-  #giveUp(): void {
+  /** Forgets what pointer and keys were about to do, and cancels the drag under way. */
+  giveUp(): void {
+    this.#nudged = null;
     if (this.#press) this.#press = { ...this.#press, moved: true, handle: null, outline: null };
     this.#axes?.free();
     this.#context.outline(null);
@@ -338,8 +346,7 @@ export class Gestures {
     if (event.key !== 'Escape' || (!this.#context.report.isUnderWay && !isDrawing)) return;
     event.stopPropagation();
     event.preventDefault();
-    this.#nudged = null;
-    this.#giveUp();
+    this.giveUp();
   }
 
   /** Likewise X, Y and Z keep a drag to axes. */

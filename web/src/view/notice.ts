@@ -44,6 +44,7 @@ export function createBlankView(container: HTMLElement): View {
   const refuse = () => Promise.reject(new Failure('no_picture', words.view.noGraphics));
   return {
     behind: false,
+    framed: true,
     setNet() {},
     setFrame() {},
     setHandles() {},
@@ -66,7 +67,7 @@ export function createBlankView(container: HTMLElement): View {
     picture: refuse,
     film: refuse,
     framesPerSecond: () => 0,
-    screenPosition: () => ({ x: 0, y: 0 }),
+    screenPositions: (vertices) => vertices.map(() => ({ x: 0, y: 0 })),
     dispose: () => notice.remove(),
   };
 }

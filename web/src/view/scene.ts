@@ -3,6 +3,7 @@ import { DirectionalLight, HemisphereLight, type Matrix4, Scene, Vector2, Vector
 import type { CameraPlace, HandleData, Symmetry, ViewPlace } from '../document/document';
 import { words } from '../language/language';
 import type { Along } from '../handles/along';
+import { movedBetween } from '../handles/moved';
 import type { Limit } from '../handles/reach';
 import { lazy } from '../lazy';
 import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
@@ -198,13 +199,14 @@ class SceneView implements View {
 
   setHandles(handles: readonly HandleData[], choice: ViewChoice): void {
     if (!this.#netData) return;
-    const moved = this.#report.isUnderWay ? undefined : movedBetween(this.#handles, handles);
+    const shown = handles.map((each) => (choice.part?.hidden[each.vertex] ? { ...each, hidden: true } : each));
+    const moved = this.#report.isUnderWay ? undefined : movedBetween(this.#handles, shown);
     this.#handles = handles;
     this.#choice = choice;
     this.#drawing.setPart(choice.part);
     this.#drawing.setSnapping(choice.snapping);
     this.#markers.update(
-      handles.map((each) => (choice.part?.hidden[each.vertex] ? { ...each, hidden: true } : each)),
+      shown,
       this.#netData.space,
       choice.selection,
       // With snapping they stand where that takes them, and not where the hand is.
@@ -305,6 +307,10 @@ class SceneView implements View {
     this.#rig.glideTo(this.#wholeNet());
   }
 
+  get framed(): boolean {
+    return this.#rig.framed;
+  }
+
   get behind(): boolean {
     return this.#behind;
   }
@@ -349,10 +355,13 @@ class SceneView implements View {
     return this.#drawTimes.filter((time) => time > second).length;
   }
 
-  screenPosition(vertex: number): Place {
-    const box = this.#renderer.domElement.getBoundingClientRect();
-    const { x, y } = this.#place(this.#markers.point(vertex) ?? this.#vertexPoint(vertex));
-    return { x: box.left + x, y: box.top + y };
+  screenPositions(vertices: readonly number[]): Place[] {
+    const { left, top } = this.#renderer.domElement.getBoundingClientRect();
+    const projection = this.#projection();
+    return vertices.map((vertex) => {
+      const { x, y } = toScreen(projection, this.#markers.point(vertex) ?? this.#vertexPoint(vertex));
+      return { x: left + x, y: top + y };
+    });
   }
 
   dispose(): void {
@@ -416,7 +425,7 @@ class SceneView implements View {
         leading = this.#report.vertices[0];
         this.#firstVisit = false;
         endFirstVisit();
-        events.dragStart();
+        return events.dragStart();
       },
       dragMove: (targets, along) => events.dragMove(targets, along),
       dragEnd: (cancelled) => {
@@ -459,7 +468,11 @@ class SceneView implements View {
     this.#drawAnnotations();
   }
 
+  /** What is in hand or shown is of the net before: the next may not have such vertices, or has them elsewhere. */
   #forgetNet(): void {
+    this.#gestures.giveUp();
+    this.#markers.setShares(null);
+    this.#preview = [];
     this.#handles = [];
     this.#found = null;
     this.#marks = [];
@@ -653,12 +666,4 @@ class SceneView implements View {
     this.#drawTimes.push(now);
     if (this.#drawTimes.length > 240) this.#drawTimes = this.#drawTimes.filter((time) => time > now - 1000);
   }
-}
-
-/** A handle that can be taken and has another target than before, e.g. after undo. */
-function movedBetween(before: readonly HandleData[], after: readonly HandleData[]): number | undefined {
-  const targets = new Map(before.map(({ vertex, target }) => [vertex, target]));
-  const isMoved = ({ vertex, target, anchor }: HandleData): boolean =>
-    !anchor && (targets.get(vertex) ?? target).some((x, axis) => x !== target[axis]);
-  return after.find(isMoved)?.vertex;
 }

@@ -16,7 +16,8 @@ export interface ViewEvents {
   addHandle(vertex: number, also: Selection): void;
   /** A click on a handle or on nothing, or an outline drawn around handles. */
   select(selection: Selection): void;
-  dragStart(): void;
+  /** Returns whether handles may be dragged now. */
+  dragStart(): boolean;
   /** At most once an animation frame. `along`: what keys keep it to. */
   dragMove(targets: Handle[], along: Along | null): void;
   /** `cancelled`: Esc was pressed, the handles go back to where the drag began. */
@@ -36,7 +37,7 @@ const nothing = (): void => {};
 export const LOOKING_ONLY: ViewEvents = {
   addHandle: nothing,
   select: nothing,
-  dragStart: nothing,
+  dragStart: () => false,
   dragMove: nothing,
   dragEnd: nothing,
   lockedStay: nothing,
@@ -101,6 +102,8 @@ export interface View {
   setStepArrows(shown: boolean): void;
   /** Back to a view of the whole net. */
   frameAll(from?: Side): void;
+  /** Whether no hand has moved the camera since. */
+  readonly framed: boolean;
   camera(): CameraPlace;
   /** Where a camera that moves will rest; null: it rests. */
   heading(): CameraPlace | null;
@@ -114,7 +117,7 @@ export interface View {
   film(): Promise<Film>;
   /** Frames drawn in the last second. */
   framesPerSecond(): number;
-  /** Where a vertex stands on the canvas, CSS pixels from the top left of the page; for tests and labels. */
-  screenPosition(vertex: number): { x: number; y: number };
+  /** Where vertices stand on the canvas, CSS pixels from the top left of the page; for tests and labels. */
+  screenPositions(vertices: readonly number[]): { x: number; y: number }[];
   dispose(): void;
 }

@@ -66,8 +66,10 @@ export class Server {
   #source: OpenScene['net'] | null = null;
   /** The last request that touched the net. */
   #touch = 0;
-  /** The last surface beside a net; that of the net before, if this one has none. */
+  /** The last surface beside a net; undo may come back to it. */
   #guide: { source: GuideSource; surface: Surface } | null = null;
+  /** Whether it is beside the present net. */
+  #isGuided = false;
   #solving = false;
   #sliceWaits = false;
   /** When the present solve began, or sent its last frame. */
@@ -177,14 +179,14 @@ export class Server {
       case 'mobility':
         return this.#mobility(request);
       case 'nearest': {
-        const surface = this.#guide?.surface;
+        const surface = this.#surface;
         return this.#reply(request, {
           type: 'nearest',
           points: request.points.map((point) => surface?.nearest(point).position ?? point),
         });
       }
       case 'guide':
-        return this.#reply(request, { type: 'guide', surface: this.#guide && drawn(this.#guide.surface) });
+        return this.#reply(request, { type: 'guide', surface: this.#surface && drawn(this.#surface) });
     }
   }
 
@@ -345,6 +347,12 @@ export class Server {
       this.#guide?.surface.dispose();
       this.#guide = { source, surface };
     }
+    this.#isGuided = source !== undefined;
+  }
+
+  /** Beside the present net; null: there is none. */
+  get #surface(): Surface | null {
+    return this.#isGuided ? (this.#guide?.surface ?? null) : null;
   }
 
   #export(id: number, format: ExportFormat): void {

@@ -654,7 +654,7 @@ export const panels: Widened<typeof en> = {
   },
   narrator: {
     undone: (what) => `已撤销：${what}`,
-    selected: (who) => `已选中：${who}`,
+    selected: (who) => `已选中：${who.trimStart()}`,
     withResult: (news, standing) => `${news}。${standing}。`,
   },
   project: {

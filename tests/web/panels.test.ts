@@ -1,0 +1,195 @@
+/** Panels, made of elements that need no browser. */
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import { newRun, type Run, type RunPlan } from '../../web/src/compare/run';
+import type { ChebnetDocument, HandleData } from '../../web/src/document/document';
+import { FIGURES } from '../../web/src/experiments/figures';
+import type { NewNetResponse } from '../../web/src/experiments/new_net_protocol';
+import { texts } from '../../web/src/experiments/texts';
+import type { Choice, HandleCommands } from '../../web/src/handles/commands';
+import { panelWords } from '../../web/src/language/panels';
+import { words } from '../../web/src/language/language';
+import { OpeningNotice } from '../../web/src/overlay/opening_notice';
+import { PartNotice } from '../../web/src/overlay/part_notice';
+import { RunNotice } from '../../web/src/overlay/run_notice';
+import { SelectionBar } from '../../web/src/overlay/selection_bar';
+import { StuckNotice } from '../../web/src/overlay/stuck_notice';
+import type { PanelEvents } from '../../web/src/panels';
+import { ChangePanel } from '../../web/src/sidebar/change_panel';
+import { DragPanel } from '../../web/src/sidebar/drag_panel';
+import { hasNewNet, NewNetTrial } from '../../web/src/sidebar/new_net_trial';
+import { describe as describeNet } from '../../web/src/worker/opened_net';
+import type { FrameData } from '../../web/src/worker/protocol';
+import { load } from '../wasm/load';
+import { type DocumentHere, documentHere } from './elements_here';
+
+const SILENT = new Proxy({}, { get: () => () => {} });
+
+const net = describeNet((await load()).openRecipe('sheet:vertices=121'));
+const handle = (vertex: number): HandleData => ({ vertex, target: [0, 0, 0], anchor: false });
+const choose = (...selection: number[]): Choice => ({
+  selection,
+  selecting: false,
+  mode: 'translate',
+  onBoundary: false,
+  lines: 2,
+});
+
+let page: DocumentHere;
+beforeEach(() => {
+  page = documentHere();
+  vi.stubGlobal('addEventListener', () => {});
+});
+afterEach(() => vi.unstubAllGlobals());
+
+describe('what goes while it has the focus leaves it to the picture:', () => {
+  const events = { handles: SILENT, preview: () => {} } as unknown as PanelEvents;
+  const leaves = (button: string, go: () => void): void => {
+    page.button(button).focus();
+    go();
+    expect(page.activeElement).toBe(page.canvas);
+  };
+
+  test('the tools of what is selected', () => {
+    const bar = new SelectionBar(events);
+    bar.setHandles([handle(3)], choose(3));
+    leaves(panelWords.selection.remove, () => bar.setHandles([], choose()));
+  });
+
+  test('the notice that a part is shown', () => {
+    const notice = new PartNotice(events);
+    notice.setHandles([], { ...choose(), part: {} as NonNullable<Choice['part']> });
+    leaves(panelWords.selection.showWhole, () => notice.setHandles([], choose()));
+  });
+
+  test('the notice that a run is shown, which keeps it while it says of another', () => {
+    const notice = new RunNotice(events);
+    const [run, other] = ['run', 'other'].map((label): Run => newRun({ label } as RunPlan));
+    notice.setRuns(run!, []);
+    const back = page.button(panelWords.comparison.ofRuns.back);
+    back.focus();
+    notice.setRuns(other!, []);
+    expect(page.activeElement).toBe(back);
+    leaves(panelWords.comparison.ofRuns.back, () => notice.setRuns(null, []));
+  });
+
+  test('the ways out of a net that is stuck', () => {
+    const document = { method: 'equilibrium', options: {}, locality: 3 } as unknown as ChebnetDocument;
+    const notice = new StuckNotice(
+      { ...events, mark: () => {}, screenPositions: () => [] } as unknown as PanelEvents,
+      String,
+    );
+    const frame = {
+      status: 'max_iterations',
+      maxDeviation: 1,
+      positions: net.restPositions,
+      fields: { deviation: new Float32Array(net.edges.length / 2) },
+      unreachable: [],
+      handles: [],
+    } as unknown as FrameData;
+    notice.setNet(net);
+    notice.setDocument(document);
+    notice.setFrame(frame, 60, false);
+    expect(page.button(panelWords.stuck.widen).isSeen).toBe(true);
+    leaves(panelWords.stuck.widen, () => notice.setDocument({ ...document, locality: undefined }));
+  });
+
+  test('the notice that a net is being opened', () => {
+    const notice = new OpeningNotice(() => {});
+    notice.setOpening(true, true);
+    leaves(words.opening.cancel, () => notice.setOpening(false, false));
+  });
+
+  test('not what has it elsewhere', () => {
+    const notice = new OpeningNotice(() => {});
+    notice.setOpening(true, true);
+    const elsewhere = page.createElement('button');
+    elsewhere.focus();
+    notice.setOpening(false, false);
+    expect(page.activeElement).toBe(elsewhere);
+  });
+});
+
+test('what a change would do is shown no longer than what is selected stays so', () => {
+  const shown: { preview: readonly number[]; faded: boolean } = { preview: [], faded: false };
+  const events = {
+    handles: { line: () => [3, 4] },
+    previewAlone: (vertices: readonly number[]) => void (shown.preview = vertices),
+    fade: (stays: Float32Array | null) => void (shown.faded = stays !== null),
+  } as unknown as PanelEvents;
+  const panel = new ChangePanel(events, (error) => expect.fail(String(error)));
+  panel.setNet(net);
+  const middle = choose(60);
+  panel.setHandles([handle(60)], middle);
+  page.button(panelWords.change.ways.keep_larger).tell('focusin');
+  expect(shown.preview).not.toEqual([]);
+  expect(shown.faded).toBe(true);
+  // As with each frame of a drag.
+  panel.setHandles([handle(60)], { ...middle });
+  expect(shown.faded).toBe(true);
+  panel.setHandles([handle(60)], choose());
+  expect(shown).toEqual({ preview: [], faded: false });
+});
+
+test('while thousands of handles are dragged, none is looked for among all of them', () => {
+  const SIZE = 2000;
+  let reads = 0;
+  const handles = Array.from({ length: SIZE }, (_, vertex): HandleData => {
+    return {
+      ...handle(vertex),
+      get vertex() {
+        reads += 1;
+        return vertex;
+      },
+    };
+  });
+  const panel = new DragPanel(
+    SILENT as HandleCommands,
+    () => {},
+    () => {},
+  );
+  panel.setDocument({} as ChebnetDocument);
+  panel.setHandles(handles, choose(...handles.keys()));
+  expect(reads).toBeLessThan(10 * SIZE);
+});
+
+describe('the trial of new nets', () => {
+  let worker: Pick<Worker, 'onmessage'>;
+  let trial: NewNetTrial;
+  const end = () =>
+    worker.onmessage!.call(null as never, { data: { type: 'ended' } as NewNetResponse } as MessageEvent);
+  const [start, stop] = [() => page.button(texts.newNet.start), () => page.button(texts.newNet.stop)];
+
+  beforeEach(() => {
+    class WorkerHere {
+      onmessage: Worker['onmessage'] = null;
+      constructor() {
+        worker = this;
+      }
+      postMessage(): void {}
+      terminate(): void {}
+    }
+    vi.stubGlobal('Worker', WorkerHere);
+    trial = new NewNetTrial(FIGURES.find(hasNewNet)!, String, () => {});
+    start().focus();
+    start().tell('click');
+    expect(page.activeElement).toBe(stop());
+  });
+
+  test('leads on from its button at the end', () => {
+    end();
+    expect(page.activeElement).toBe(start());
+    expect(page.scrolledTo).not.toBeNull();
+  });
+
+  test('leaves a visitor alone who is doing something else meanwhile', () => {
+    page.canvas.focus();
+    end();
+    expect(page.activeElement).toBe(page.canvas);
+    expect(page.scrolledTo).toBeNull();
+  });
+
+  test('stopped, leads back to its start', () => {
+    trial.stop();
+    expect(page.activeElement).toBe(start());
+  });
+});
