@@ -19,6 +19,7 @@ interface Asked {
 let asked: Asked[];
 let told: string[];
 let restored: number;
+let isChanging: boolean;
 let state: State;
 let opener: Opener;
 
@@ -55,7 +56,8 @@ beforeEach(() => {
     cancelOpening: () => asked.at(-1)!.refuse(),
     restore: async () => void (restored += 1),
   };
-  state = new State(() => false, { document: () => {}, presentation: () => {}, handles: () => {} });
+  isChanging = false;
+  state = new State(() => isChanging, { document: () => {}, presentation: () => {}, handles: () => {} });
   opener = new Opener(client, state, {
     leaving: () => told.push('leaving'),
     opened: () => told.push('opened'),
@@ -130,6 +132,19 @@ test('while undo opens another net the history stays where it is, and a project 
   asked.at(-1)!.answer();
   await going;
   expect([recipeNow(), state.history.present]).toEqual(['dome', 0]);
+});
+
+test('a net that had settled is left as one that has, though the solver is at work on the next by then', async () => {
+  for (const settled of [true, false]) {
+    await open('dome');
+    state.change({ settled });
+    const opening = opener.openScene(sceneOf('vault'));
+    isChanging = true;
+    asked.at(-1)!.answer();
+    await opening;
+    isChanging = false;
+    expect(state.history.stateAt(state.history.present - 1)!.settled).toBe(settled);
+  }
 });
 
 test('a net has the method of the one before, but for the usual ones: large nets have another', async () => {

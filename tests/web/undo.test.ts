@@ -94,6 +94,7 @@ test('changes of the same key join, until another comes between', () => {
   history.record(state(1), 'move', 'move 7');
   history.record(state(2), 'move');
   history.record(state(3), 'move', 'move 7');
+  history.endGesture(null); // none was under way
   history.record(state(4), 'move', 'move 7');
   expect(history.undo(state(5))?.positions?.[0]).toBe(3);
   history.redo(state(3));

@@ -63,11 +63,12 @@ export class Opener {
     scene: Scene,
     { name, key }: NamedChange = { name: ['open', netTitle(scene.net)], key: null },
   ): Promise<void> {
+    const wasSettled = this.#state.isSettled; // once the answer is here, the solver is at work on the next net
     const opened = await this.#request(scene);
     this.#events.leaving();
     const before = this.#state.snapshot();
     this.#take(scene, opened);
-    if (before) this.#state.history.record(before, name, key);
+    if (before) this.#state.history.record({ ...before, settled: wasSettled }, name, key);
     else this.#state.history.begin([{ name, state: this.#state.snapshot()! }], 0);
     if (this.#state.handles.length === 0) this.#events.say(words.intro.noHandles);
   }

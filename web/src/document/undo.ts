@@ -139,9 +139,9 @@ export class UndoHistory implements HistoryView {
   /** After its last change; a gesture without a name changed nothing and leaves no entry. */
   endGesture(name: ChangeName | null): void {
     const before = this.#gesture;
+    if (before === null) return;
     this.#gesture = null;
     this.#lastKey = null;
-    if (before === null) return;
     if (name === null) return this.#changed();
     this.#push(before, name);
     this.#revised();
