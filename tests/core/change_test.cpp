@@ -373,6 +373,19 @@ TEST_CASE("Rows are put in and taken out also where faces on the two sides are w
     }
 }
 
+TEST_CASE("A net of quads alone that a border has cut is made neither finer nor coarser") {
+    const Net whole = samples::patch(9, 9, 0);
+    Positions x = whole.rest_positions();
+    x.row(0) = x.row(0).cwiseMin(7.15);
+    x.row(1) = x.row(1).cwiseMin(7.03);
+    const Net cut(x, whole.faces());
+    for (const char* way : {"refine", "coarsen"}) CHECK_THAT(change_refusal(cut, way), Catch::Contains("rods are cut"));
+    // Wider at the border is not cut there.
+    x.row(0) = (x.row(0).array() > 7).select(8, whole.rest_positions().row(0));
+    x.row(1) = (x.row(1).array() > 7).select(9, whole.rest_positions().row(1));
+    CHECK(changed(Net(x, whole.faces()), "refine").mesh.faces.size() == 4 * whole.face_count());
+}
+
 TEST_CASE("Where no row can be put in or taken out, the reason is said") {
     const Net net = samples::patch(5, 5);
     for (const char* way : {"insert_row", "remove_line"}) {
