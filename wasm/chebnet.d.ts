@@ -334,7 +334,7 @@ export interface ExactChangeReport {
 export interface ExactChange {
   /** Goes on until it ends or the budget runs out (`running`). */
   solve(budget?: Budget): ExactChangeReport;
-  /** Exact once it is `converged`. */
+  /** Exact once it is `converged`, or `exact`: then corners are sharper than the limit. */
   positions(): Float64Array;
   /** Frees the memory on the other side; it must not be used again. */
   dispose(): void;
@@ -500,6 +500,9 @@ export interface EqualizeReport {
   /** Since the beginning, as are the milliseconds. */
   iterations: number;
   milliseconds: number;
+  /** Of handles. */
+  unreachablePairs: UnreachablePair[];
+  // Measured at the end alone: 0, empty or null while the status is `running`.
   before: EqualizeSpread;
   after: EqualizeSpread;
   /** From the guide or else the surface of the mesh, in edge lengths; null if its faces are no surface. */
@@ -516,15 +519,14 @@ export interface EqualizeReport {
   maxMove: number;
   /** A few of those that are off, the worst first. */
   worstEdges: { vertexA: number; vertexB: number; length: number }[];
-  /** Of handles. */
-  unreachablePairs: UnreachablePair[];
 }
 
 /** Turns a mesh into a net near it whose edges have one length; see core/edit/equalize.h, whose contract this follows. */
 export interface Equalizer {
   /** Goes on until it ends or the budget runs out (`running`). */
   solve(budget?: Budget): EqualizeReport;
-  /** Those held now; of the original, bit for bit, if its edges have the length already and it has no guide. */
+  /** Those held now; of the original, bit for bit, if its edges have the length already, it has no guide, and with
+   *  `equilibrium` no corner is to be opened. */
   positions(): Float64Array;
   /** Where the vertices of the surface lie that the net is near: the mesh's own, or scaled as the net is by a length that
    *  is given. Null if its faces are no surface, or the net is near a guide. */

@@ -54,9 +54,15 @@ std::string_view Lines::take() {
     const auto end = std::find_if(m_rest.begin(), m_rest.end(), is_line_end);
     const std::string_view line = m_rest.substr(0, end - m_rest.begin());
     m_rest.remove_prefix(line.size());
-    m_rest.remove_prefix(m_rest.substr(0, 2) == "\r\n" ? 2 : std::min<std::size_t>(1, m_rest.size()));
+    m_ends_with_pair = m_rest.substr(0, 2) == "\r\n";
+    m_has_lone_cr = m_has_lone_cr || (m_rest.substr(0, 1) == "\r" && !m_ends_with_pair);
+    m_rest.remove_prefix(m_ends_with_pair ? 2 : std::min<std::size_t>(1, m_rest.size()));
     ++m_number;
     return line;
+}
+
+std::string_view Lines::rest() const {
+    return m_ends_with_pair && m_has_lone_cr ? std::string_view(m_rest.data() - 1, m_rest.size() + 1) : m_rest;
 }
 
 void fail_at_line(ErrorCode code, std::string_view name, int line, const std::string& what) {

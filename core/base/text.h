@@ -40,11 +40,14 @@ public:
     std::string_view take();
     /// Which line was taken last, from 1.
     int number() const { return m_number; }
-    /// What follows the line that was taken last.
-    std::string_view rest() const { return m_rest; }
+    /// What follows the line that was taken last. Behind lines that ended with CR alone an LF is no part of the line's
+    /// end, but the first byte of what follows, as it may be of binary data.
+    std::string_view rest() const;
 
 private:
     std::string_view m_rest;
+    bool m_ends_with_pair = false;  // of the line that was taken last: CR and LF
+    bool m_has_lone_cr = false;     // a line ended with CR alone
     int m_number = 0;
 };
 

@@ -74,7 +74,11 @@ private:
     void make_vertices() {
         // What is there already serves its whole set.
         for (int p = 0; p < 2 * m_net.edge_count(); ++p)
-            if (m_vertex_of[p] >= 0) m_vertex_of[m_places.of(p)] = m_vertex_of[p];
+            if (const int there = m_vertex_of[p]; there >= 0) {
+                int& vertex = m_vertex_of[m_places.of(p)];
+                if (vertex >= 0 && vertex != there) refuse("the border closes on itself", there);
+                vertex = there;
+            }
         for (int e = 0; e < m_net.edge_count(); ++e) {
             if (!m_is_in_row[e]) continue;
             for (const int v : m_net.edges().col(e)) {
@@ -109,9 +113,11 @@ private:
         const int in = in_order ? row.front() : row.back(), out = in_order ? row.back() : row.front();
         const int u = other_end(in, v), w = other_end(out, v);
         if (is_inward(v)) return m_quads.add({w, v, u, outside(u, in)});
-        const int beside = outside(v, in), ahead = outside(v, out), beyond = add_vertex();
-        const int V = m_net.vertex_count();
-        m_new[beyond - V] = m_new[beside - V] + m_new[ahead - V] - m_net.rest_positions().col(v);
+        const int beside = outside(v, in), ahead = outside(v, out);
+        if (beside == ahead) refuse("the border closes on itself", v);
+        const Eigen::Vector3d point = point_of(beside) + point_of(ahead) - m_net.rest_positions().col(v);
+        const int beyond = add_vertex();
+        m_new.back() = point;
         m_quads.add({v, beside, beyond, ahead});
     }
 
@@ -124,6 +130,12 @@ private:
         for (int k = V; k < count; ++k) larger.mesh.positions.col(k) = m_new[k - V];
         for (int f = 0; f < m_quads.size(); ++f) larger.mesh.faces.add(m_quads[f]);
         return larger;
+    }
+
+    /// Of a new vertex, or one that was there, as where the row ends in a corner that it fills.
+    Eigen::Vector3d point_of(int vertex) const {
+        const int V = m_net.vertex_count();
+        return vertex < V ? Eigen::Vector3d(m_net.rest_positions().col(vertex)) : m_new[vertex - V];
     }
 
     int add_vertex() {

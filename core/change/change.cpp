@@ -37,21 +37,28 @@ ChangedMesh checked(const Net& net, const ChangePlace& place) {
 
 const std::vector<ChangeInfo>& change_table() {
     static const std::vector<ChangeInfo> table = {
-        {"refine", "every quad becomes two by two, with half the edge length", checked<refined>},
+        {"refine", "every quad becomes two by two, with half the edge length", PlacePart::nothing, checked<refined>},
         {"coarsen", "two by two quads become one, with twice the edge length; rows left over at the border go",
-         checked<coarsened>},
-        {"cut", "the edges of the line are cut: both sides have vertices of their own there", checked<cut>},
-        {"cut_flat", "the net is cut along lines, so that each piece lies flat as a square grid", checked<cut_flat>},
-        {"keep_larger", "of the sides of the line only the largest stays", checked<larger_side>},
-        {"keep_smaller", "of the sides of the line the largest goes", checked<smaller_side>},
-        {"delete_rows", "the rows of faces beside the line go", checked<without_rows>},
-        {"delete_faces", "the faces at the vertices go", checked<without_faces_at>},
-        {"keep_pieces", "of the pieces of the net only those with one of the vertices stay", checked<pieces_at>},
-        {"delete_pieces", "the pieces of the net with one of the vertices go", checked<without_pieces_at>},
-        {"add_row", "a row of quads is added along the line, which lies on the border", checked<with_row>},
-        {"insert_row", "a row of quads is put in along the line, which runs through the net", checked<with_inner_row>},
-        {"remove_line", "the line is taken out: the rows on its two sides become one", checked<without_line>},
-        {"join", "borders within half an edge of each other become one", checked<joined>}};
+         PlacePart::nothing, checked<coarsened>},
+        {"cut", "the edges of the line are cut: both sides have vertices of their own there", PlacePart::edges,
+         checked<cut>},
+        {"cut_flat", "the net is cut along lines, so that each piece lies flat as a square grid", PlacePart::nothing,
+         checked<cut_flat>},
+        {"keep_larger", "of the sides of the line only the largest stays", PlacePart::edges, checked<larger_side>},
+        {"keep_smaller", "of the sides of the line the largest goes", PlacePart::edges, checked<smaller_side>},
+        {"delete_rows", "the rows of faces beside the line go", PlacePart::edges, checked<without_rows>},
+        {"delete_faces", "the faces at the vertices go", PlacePart::vertices, checked<without_faces_at>},
+        {"keep_pieces", "of the pieces of the net only those with one of the vertices stay", PlacePart::vertices,
+         checked<pieces_at>},
+        {"delete_pieces", "the pieces of the net with one of the vertices go", PlacePart::vertices,
+         checked<without_pieces_at>},
+        {"add_row", "a row of quads is added along the line, which lies on the border", PlacePart::edges,
+         checked<with_row>},
+        {"insert_row", "a row of quads is put in along the line, which runs through the net", PlacePart::edges,
+         checked<with_inner_row>},
+        {"remove_line", "the line is taken out: the rows on its two sides become one", PlacePart::edges,
+         checked<without_line>},
+        {"join", "borders within half an edge of each other become one", PlacePart::nothing, checked<joined>}};
     return table;
 }
 

@@ -23,12 +23,16 @@ struct ChangedMesh {
     bool keeps_edges = false;
 };
 
+/// What a change reads of its place.
+enum class PlacePart { nothing, vertices, edges };
+
 /// A way to change a net. What stays keeps its order, vertices as well as faces, and its place. `make` throws Error
 /// impossible_change where the net, or the place, does not allow it, index_out_of_range for a place that it does not
 /// have, and too_large.
 struct ChangeInfo {
     const char* name;
     const char* sentence;
+    PlacePart place_part;
     ChangedMesh (*make)(const Net& net, const ChangePlace& place);
 };
 

@@ -32,10 +32,9 @@ public:
           m_faces_of_vertex(static_cast<std::size_t>(net.vertex_count())),
           m_is_reached(static_cast<std::size_t>(net.face_count()), false) {
         if (is_cut(net, m_topology))
-            throw Error(
-                ErrorCode::impossible_change,
-                "faces at the border of this net are no quads and have edges of other lengths, as where rods are "
-                "cut: of a surface lay a net with edges of twice the length instead");
+            throw Error(ErrorCode::impossible_change,
+                        "faces at the border of this net have edges of other lengths, as where rods are cut: of a "
+                        "surface lay a net with edges of twice the length instead");
         for (int f = 0; f < net.face_count(); ++f) {
             if (net.faces()[f].size() != 4)
                 throw Error(ErrorCode::impossible_change,

@@ -1,6 +1,7 @@
 #include "change/inner_row.h"
 
 #include <array>
+#include <utility>
 
 #include "base/error.h"
 #include "change/corner_edges.h"
@@ -18,6 +19,7 @@ namespace {
 struct EdgeCorners {
     std::array<int, 2> corners{-1, -1};
     std::array<int, 2> faces{-1, -1};
+    bool same_way = false;  ///< both go along it in one direction, as somewhere on every surface with one side
 };
 
 /// Of each of the place's edges, which have a face on either side.
@@ -36,8 +38,11 @@ std::vector<EdgeCorners> corners_at(const Net& net, const ChangePlace& place, co
         }
     std::vector<EdgeCorners> chosen;
     const std::vector<bool> is_chosen = marked(place.edges, net.edge_count());
-    for (int e = 0; e < net.edge_count(); ++e)
-        if (is_chosen[e]) chosen.push_back(found[e]);
+    for (int e = 0; e < net.edge_count(); ++e) {
+        if (!is_chosen[e]) continue;
+        EdgeCorners& at = chosen.emplace_back(found[e]);
+        at.same_way = net.faces().vertices[at.corners[0]] == net.faces().vertices[at.corners[1]];
+    }
     return chosen;
 }
 
@@ -95,9 +100,10 @@ ChangedMesh with_inner_row(const Net& net, const ChangePlace& place) {
     spread(is_doubled, wider.mesh.faces, wider.mesh.positions);
 
     const std::vector<int> vertices = wider.mesh.faces.vertices;
-    for (const auto& [corners, faces] : along) {
+    for (const auto& [corners, faces, same_way] : along) {
         const int a = vertices[corners[0]], b = vertices[corner_after(net.faces(), faces[0], corners[0])];
-        const int c = vertices[corners[1]], d = vertices[corner_after(net.faces(), faces[1], corners[1])];
+        int c = vertices[corners[1]], d = vertices[corner_after(net.faces(), faces[1], corners[1])];
+        if (same_way) std::swap(c, d);
         wider.mesh.faces.add({b, a, d, c});
     }
     return wider;
@@ -115,7 +121,7 @@ ChangedMesh without_line(const Net& net, const ChangePlace& place) {
     // Of each face beside the line the quad that it becomes, and whether it goes.
     std::vector<std::array<int, 4>> wide(static_cast<std::size_t>(net.face_count()), {-1, -1, -1, -1});
     std::vector<bool> goes(wide.size(), false), is_beside(wide.size(), false);
-    for (const auto& [corners, faces] : along) {
+    for (const auto& [corners, faces, same_way] : along) {
         std::array<std::array<int, 2>, 2> opposite{};  // the edge of each face on its other side
         for (int side = 0; side < 2; ++side) {
             const int f = faces[side];
@@ -125,6 +131,7 @@ ChangedMesh without_line(const Net& net, const ChangePlace& place) {
             const int far = corner_after(net.faces(), f, corner_after(net.faces(), f, corners[side]));
             opposite[side] = {net.faces().vertices[far], net.faces().vertices[corner_after(net.faces(), f, far)]};
         }
+        if (same_way) std::swap(opposite[1][0], opposite[1][1]);
         wide[faces[0]] = {opposite[0][0], opposite[0][1], opposite[1][0], opposite[1][1]};
         goes[faces[1]] = true;
     }

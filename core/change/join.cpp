@@ -49,6 +49,18 @@ Sets near_vertices(const Net& net) {
     return together;
 }
 
+/// In place of the error's own words, which are of the net that would be: nobody has seen its numbers.
+const char* misfit(ErrorCode code) {
+    switch (code) {
+        case ErrorCode::non_manifold_edge:
+            return "more than two faces would meet at an edge";
+        case ErrorCode::repeated_vertex:
+            return "two corners of a face would become one";
+        default:
+            return "an edge would have no length";
+    }
+}
+
 }  // namespace
 
 ChangedMesh joined(const Net& net, const ChangePlace&) {
@@ -73,7 +85,8 @@ ChangedMesh joined(const Net& net, const ChangePlace&) {
     try {
         Net(one.mesh.positions, one.mesh.faces);
     } catch (const Error& error) {
-        throw Error(ErrorCode::impossible_change, std::string("these borders do not fit together: ") + error.what());
+        throw Error(ErrorCode::impossible_change,
+                    std::string("these borders do not fit together: ") + misfit(error.code()));
     }
     one.mesh = repair(std::move(one.mesh), {Defect::inconsistent_winding}).mesh;
     return one;

@@ -60,11 +60,9 @@ ChangedMesh refined(const Net& net, const ChangePlace&) {
         throw Error(ErrorCode::too_large, "the finer net would have more than 2,000,000 vertices");
     const Topology topology(net);
     if (is_cut(net, topology))
-        throw Error(
-            ErrorCode::impossible_change,
-            "faces at the border of this net are no quads and have edges of other lengths, as where rods are cut, "
-            "so that finer ones would have sharp corners: of a surface lay a net with edges of half the length "
-            "instead");
+        throw Error(ErrorCode::impossible_change,
+                    "faces at the border of this net have edges of other lengths, as where rods are cut, so that finer "
+                    "ones would be slivers: of a surface lay a net with edges of half the length instead");
     const Faces& faces = net.faces();
     const std::vector<int> edges = corner_edges(net, topology);
 

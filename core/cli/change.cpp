@@ -42,17 +42,36 @@ std::vector<int> edges_of_line(const Net& net, int a, int b) {
                 "--line wants the two ends of an edge, not " + std::to_string(a) + " and " + std::to_string(b));
 }
 
+/// The option that names this part of a place.
+std::string option_of(PlacePart part) { return part == PlacePart::edges ? "--line" : "--vertices"; }
+
+/// A place that the change does not read would be passed over in silence, and the whole net be changed.
+void check_reads(const ChangeInfo& change, PlacePart given) {
+    if (change.place_part == given) return;
+    const std::string reads = change.place_part == PlacePart::nothing
+                                  ? " changes the whole net: it takes no "
+                                  : " takes its place from " + option_of(change.place_part) + ", not from ";
+    throw Error(ErrorCode::bad_option, change.name + reads + option_of(given));
+}
+
 int run_change(const ChangeArguments& arguments) {
     const Net net = load_net(arguments.net);
+    const ChangeInfo& change = find_change(arguments.name);
+    if (!arguments.line.empty()) check_reads(change, PlacePart::edges);
+    if (!arguments.vertices.empty()) check_reads(change, PlacePart::vertices);
     ChangePlace place;
     place.vertices = arguments.vertices;
     if (!arguments.line.empty()) place.edges = edges_of_line(net, arguments.line[0], arguments.line[1]);
-    const ChangedMesh changed = find_change(arguments.name).make(net, place);
-    ExactChange exact(changed, {.length = net.is_chebyshev() ? std::optional(net.mean_length()) : std::nullopt});
+    const ChangedMesh changed = change.make(net, place);
+    const ExactChangeOptions options{.length = net.is_chebyshev() ? std::optional(net.mean_length()) : std::nullopt};
+    ExactChange exact(changed, options);
     const Status status = exact.solve().status;
-    write_net(arguments.output, exact.positions(), changed.mesh.faces);
 
-    const Net after(exact.positions(), changed.mesh.faces);
+    const Net after(exact.positions(), changed.mesh.faces);  // before it is written: refuses what is no net
+    write_net(arguments.output, exact.positions(), changed.mesh.faces);
+    if (status == Status::exact)
+        tell_sharp_quads(sharp_quads(after, exact.positions(), options.shear_limit - k_limit_tolerance),
+                         options.shear_limit);
     const LengthRange lengths = edge_length_range(after, exact.positions());
     print({{"net", arguments.net.name},
            {"change", arguments.name},
@@ -66,7 +85,7 @@ int run_change(const ChangeArguments& arguments) {
            {"chebyshev", after.is_chebyshev()},
            {"max_dL", max_deviation(after, exact.positions())},
            {"smallest_corner_angle_degrees", corner_angle_range(after, exact.positions()).smallest / k_degree}});
-    return status == Status::converged ? k_success : k_not_converged;
+    return keeps_lengths(status) ? k_success : k_not_converged;
 }
 
 std::string change_list() {
@@ -86,7 +105,8 @@ Command add_change(CLI::App& program) {
     command.add_option("--line", arguments->line, "The net line that goes from vertex A to its neighbour B")
         ->expected(2)
         ->type_name("A B");
-    command.add_option("--vertices", arguments->vertices, "Where faces are deleted, from 0")->type_name("VERTEX");
+    command.add_option("--vertices", arguments->vertices, "Where faces or pieces are deleted or kept, from 0")
+        ->type_name("VERTEX");
     add_net_output(command, "-o,--output", arguments->output)->type_name("OUT");
     command.footer(change_list());
     return {&command, [arguments] { return run_change(*arguments); }};

@@ -86,7 +86,9 @@ int run_equalize(const EqualizeArguments& arguments) {
     const EqualizeReport equalized = equalizer.solve();
     write_net(arguments.output, equalizer.positions(), equalizer.original().faces());
     print(equalize_report(arguments, equalizer, equalized));
-    return equalized.status == Status::converged ? k_success : k_not_converged;
+    if (equalized.status == Status::exact)
+        tell_sharp_quads(equalized.quads_beyond_limit, arguments.shear_limit * k_degree);
+    return keeps_lengths(equalized.status) ? k_success : k_not_converged;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -45,9 +46,8 @@ const char* repair_hint(ErrorCode code, bool repaired) {
 /// Triangles that share no vertices are no surface, but pieces of one, each with a net of its own. Said only, for where
 /// a surface is cut open they should coincide.
 void tell_coinciding(const Mesh& mesh, const std::string& path) {
-    for (const Finding& finding : repair(mesh, {}).findings)
-        if (finding.defect == Defect::duplicate_vertices)
-            std::cerr << "chebnet: " << path << ": " << to_sentence(finding) << " (--repair merges them)\n";
+    if (const std::optional<Finding> finding = find_duplicate_vertices(mesh))
+        std::cerr << "chebnet: " << path << ": " << to_sentence(*finding) << " (--repair merges them)\n";
 }
 
 Net net_of_file(const std::string& path, bool repair) {

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "base/error.h"
+#include "base/number.h"
 #include "edit/net_forces.h"
 #include "net/measures.h"
 #include "surface/guide.h"
@@ -91,6 +92,11 @@ Json forces_report(const Editor& editor) {
             {"corner_forces", corners},
             {"edge_that_pulls_most", edge_report(editor.net(), forces->edges, pulls_most)},
             {"edge_that_pushes_most", edge_report(editor.net(), forces->edges, pushes_most)}};
+}
+
+void tell_sharp_quads(int count, double limit) {
+    std::cerr << "chebnet: every edge has its length, but " << count << (count == 1 ? " quad has" : " quads have")
+              << " a corner sharper than " << number_text(degrees(limit), 4) << " degrees\n";
 }
 
 void print(const Json& report) {

@@ -27,6 +27,10 @@ Json to_rest_report(const std::optional<ToRest>& left);
 /// and push most. Empty where the method does not tell.
 Json forces_report(const Editor& editor);
 
+/// Tells on standard error that every edge has its length, but so many quads have corners sharper than this limit,
+/// radians.
+void tell_sharp_quads(int count, double limit);
+
 /// Writes to standard output; numbers that are not finite become null. Throws Error file_access.
 void print(const Json& report);
 

@@ -133,10 +133,13 @@ Equalizer::Equalizer(Net original, EqualizeOptions options)
         m_options.method = m_options.guide ? "equilibrium" : usual_method(m_original.vertex_count());
     check_options();
     begin_lengths();
-    if (!comes_near_guide() && deviation_from_length() < k_equal_deviation)
+    const bool is_equal = !comes_near_guide() && deviation_from_length() < k_equal_deviation;
+    if (is_equal && keeps_limit())
         m_status = Status::converged;
     else if (m_options.method == "equilibrium" && begin_fair())
         take_near_surface(m_fair->positions());
+    else if (is_equal)
+        m_status = Status::exact;
     else
         place(m_editor.positions());
 }
@@ -181,7 +184,12 @@ void Equalizer::find_free_pieces() {
 }
 
 EqualizeReport Equalizer::solve(const Budget& budget) {
-    if (m_status != Status::running) return report();
+    advance(budget);
+    return report();
+}
+
+Status Equalizer::advance(const Budget& budget) {
+    if (m_status != Status::running) return m_status;
     Stopwatch watch;
     const int iterations_before = m_iterations;
     do iterate();
@@ -191,10 +199,9 @@ EqualizeReport Equalizer::solve(const Budget& budget) {
         place(m_status == Status::running ? m_editor.positions() : m_best);
     // Coordinates far from the origin have fewer digits than those in the solver's unit.
     if (m_status == Status::converged && !(deviation_from_length() < k_equal_deviation)) m_status = Status::stalled;
-    if (m_status == Status::converged && m_options.method == "equilibrium" && quads_beyond_limit() > 0)
-        m_status = Status::exact;
+    if (m_status == Status::converged && !keeps_limit()) m_status = Status::exact;
     m_elapsed_ms += watch.milliseconds();
-    return report();
+    return m_status;
 }
 
 void Equalizer::iterate() {
@@ -369,17 +376,31 @@ int Equalizer::quads_beyond_limit() const {
     return sharp_quads(m_original, m_positions, m_options.shear_limit - k_limit_tolerance);
 }
 
+bool Equalizer::keeps_limit() const { return m_options.method != "equilibrium" || quads_beyond_limit() == 0; }
+
+/// That of the options also where it had nothing to do.
+std::string Equalizer::method() const {
+    if (m_status == Status::converged && m_iterations == 0) return m_options.method;
+    return m_stage == Stage::fair || m_stage == Stage::rest ? "equilibrium" : "projection";
+}
+
 EqualizeReport Equalizer::report() const {
     EqualizeReport report;
     report.status = m_status;
     report.length = m_length;
-    report.method = m_stage == Stage::fair || m_stage == Stage::rest ? "equilibrium" : "projection";
+    report.method = method();
     report.iterations = m_iterations;
     report.milliseconds = m_elapsed_ms;
     report.fitting_length = m_fitting_length;
     report.unreachable_pairs = unreachable_pairs();
+    report.max_deviation = deviation_from_length();
+    if (m_status != Status::running) measure(report);
+    return report;
+}
+
+/// What takes as long as an iteration, or longer.
+void Equalizer::measure(EqualizeReport& report) const {
     const Eigen::VectorXd lengths = lengths_of_edges(m_original, m_positions);
-    report.max_deviation = max_deviation(lengths / m_length);
     report.before = spread(lengths_of_edges(m_original, m_original.rest_positions()));
     report.after = spread(lengths);
     report.worst_edges = worst_edges(lengths / m_length);
@@ -391,7 +412,6 @@ EqualizeReport Equalizer::report() const {
     report.folds_before = sharp_folds(m_original, m_original.rest_positions(), k_fold);
     report.folds = sharp_folds(m_original, m_positions, k_fold);
     if (m_surface) report.distance = distance_from_surface();
-    return report;
 }
 
 /// In units of L.

@@ -50,8 +50,14 @@ struct EqualizeReport {
     double max_deviation = 0;  ///< the largest dL of an edge against L
     int iterations = 0;        ///< since the beginning
     double milliseconds = 0;   ///< likewise
+    std::string method;        ///< that has made it: `projection` also where `equilibrium` found no such net
+    /// The length of EqualLength::fitting; without freedom, L. Much larger than L if many edges were too long beside
+    /// others that were too short: the net then had to crumple, which makes it smaller.
+    double fitting_length = 0;
+    std::vector<UnreachablePair> unreachable_pairs;  ///< of handles, see Editor
+
+    // Measured at the end alone: 0, or empty, while the status is `running`.
     LengthSpread before, after;
-    std::string method;  ///< that has made it: `projection` also where `equilibrium` found no such net
     /// From the guide or else the surface of the original, of vertices and middles of edges, in units of L; none if its
     /// triangles are no surface. A given length without handles scales that surface too, but no guide.
     std::optional<GuideDistance> distance;
@@ -59,11 +65,7 @@ struct EqualizeReport {
     int quads_beyond_limit = 0;          ///< that have a corner sharper than EqualizeOptions::shear_limit
     int folds_before = 0, folds = 0;     ///< edges at which the original and the net fold by more than k_fold
     double mean_move = 0, max_move = 0;  ///< distance of vertices from where they were in the original, in units of L
-    /// The length of EqualLength::fitting; without freedom, L. Much larger than L if many edges were too long beside
-    /// others that were too short: the net then had to crumple, which makes it smaller.
-    double fitting_length = 0;
-    std::vector<int> worst_edges;                    ///< a few of those with dL ≥ k_equal_deviation, the worst first
-    std::vector<UnreachablePair> unreachable_pairs;  ///< of handles, see Editor
+    std::vector<int> worst_edges;        ///< a few of those with dL ≥ k_equal_deviation, the worst first
 };
 
 /// Turns a mesh with unequal edges into a Chebyshev net near it: quad meshes as modellers and remeshers leave them,
@@ -98,9 +100,13 @@ public:
     ///   stalled, max_iterations, non_finite   no such net was found: the best is held
     ///   unreachable                           no such net exists: handles stand too far apart
     EqualizeReport solve(const Budget& budget = {});
+    /// Likewise, without a report: how it stands then.
+    Status advance(const Budget& budget = {});
+    /// Since the beginning.
+    int iterations() const { return m_iterations; }
 
-    /// 3×V, the positions held now. The original's, bit for bit, if that is a net with edges of length L already and
-    /// has no guide to come near to.
+    /// 3×V, the positions held now. The original's, bit for bit, if that is a net with edges of length L already, has
+    /// no guide to come near to, and with `equilibrium` no corner that is to be opened.
     const Positions& positions() const { return m_positions; }
 
     /// 3×V, where the vertices of the surface lie that the net is near: the original's own, or scaled as the net is by
@@ -142,7 +148,10 @@ private:
     static Placement nearest_placement(const std::vector<int>& piece, const Positions& x, const Positions& y);
     double deviation_from_length() const;
     int quads_beyond_limit() const;
+    bool keeps_limit() const;
+    std::string method() const;
     EqualizeReport report() const;
+    void measure(EqualizeReport& report) const;
     GuideDistance distance_from_surface() const;
     std::vector<UnreachablePair> unreachable_pairs() const;
 

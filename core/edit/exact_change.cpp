@@ -35,10 +35,10 @@ void ExactChange::begin(std::vector<int> handles) {
 
 ExactChangeReport ExactChange::solve(const Budget& budget) {
     if (m_equalizer == nullptr) return {Status::converged, 0};
-    const EqualizeReport report = m_equalizer->solve(budget);
-    const bool has_failed = report.status != Status::running && report.status != Status::converged;
-    if (!has_failed || !m_holds) return {report.status, m_iterations_held + report.iterations};
-    m_iterations_held = report.iterations;
+    const Status status = m_equalizer->advance(budget);
+    const bool has_failed = status != Status::running && !keeps_lengths(status);
+    if (!has_failed || !m_holds) return {status, m_iterations_held + m_equalizer->iterations()};
+    m_iterations_held = m_equalizer->iterations();
     begin({});
     return solve(budget);
 }

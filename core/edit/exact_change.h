@@ -23,7 +23,8 @@ struct ExactChangeReport {
 
 /// Makes a changed net exact: its edges get the length of before times the change's factor, near the shape that it has
 /// (Equalizer), or by `projection` where nothing but lost digits is to be found. First with the vertices held that are
-/// left of those to be; where no net is found so, with all of it free. A net whose edges have a length each is left as
+/// left of those to be; where no net is found so, with all of it free. A net with corners sharper than the limit,
+/// status `exact`, is one: what is held does not move for their sake. A net whose edges have a length each is left as
 /// the change made it.
 class ExactChange {
 public:
@@ -34,7 +35,7 @@ public:
     /// Never throws over a hard problem, and ends as Equalizer::solve() does.
     ExactChangeReport solve(const Budget& budget = {});
 
-    /// 3×V, in the order of the changed mesh: exact once the status is `converged`.
+    /// 3×V, in the order of the changed mesh: exact once the status is `converged` or `exact`.
     const Positions& positions() const;
 
 private:

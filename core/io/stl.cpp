@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -87,6 +88,14 @@ Mesh read_binary(std::string_view bytes, std::string_view name) {
     return welded.mesh();
 }
 
+/// Programs write the words of text STL in upper case, too.
+std::string in_lower_case(std::string_view word) {
+    std::string lower(word);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
+}
+
 /// solid, then for each triangle: facet normal, outer loop, three times vertex, endloop, endfacet; at last endsolid.
 class TextReader {
 public:
@@ -95,14 +104,15 @@ public:
     Mesh read() {
         while (!m_lines.at_end()) {
             m_words = m_lines.take();
-            const std::string_view word = take_word(m_words);
+            const std::string_view given = take_word(m_words);
+            const std::string word = in_lower_case(given.substr(0, k_longest_word + 1));
             if (word == "vertex") {
                 read_corner();
             } else if (word == "endloop") {
                 end_triangle();
             } else if (!word.empty() &&
                        std::find(k_passed_over.begin(), k_passed_over.end(), word) == k_passed_over.end()) {
-                fail(ErrorCode::bad_syntax, quoted(word) + " is not a word of text STL");
+                fail(ErrorCode::bad_syntax, quoted(given) + " is not a word of text STL");
             }
         }
         if (!m_corners.empty()) fail(ErrorCode::bad_syntax, "the file ends within a triangle");
@@ -111,6 +121,7 @@ public:
 
 private:
     static constexpr std::array<std::string_view, 5> k_passed_over{"solid", "facet", "outer", "endfacet", "endsolid"};
+    static constexpr std::size_t k_longest_word = 8;
 
     void read_corner() {
         Eigen::Vector3d place;
@@ -143,8 +154,12 @@ private:
 };
 
 bool is_text(std::string_view bytes) {
-    std::string_view first = Lines(bytes).take();
-    return take_word(first) == "solid";
+    for (Lines lines(bytes); !lines.at_end();) {
+        std::string_view line = lines.take();
+        const std::string_view word = take_word(line);
+        if (!word.empty()) return word.size() == 5 && in_lower_case(word) == "solid";
+    }
+    return false;
 }
 
 void check_range(const Positions& positions) {

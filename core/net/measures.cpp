@@ -163,7 +163,8 @@ std::vector<double> fold_angles(const Net& net, const Positions& positions) {
         Eigen::Vector3d normal;
         bool is_forward;
     };
-    std::map<std::pair<int, int>, Side> firsts;
+    const Topology topology(net);
+    std::vector<std::optional<Side>> firsts(static_cast<std::size_t>(net.edge_count()));
     std::vector<double> folds;
     for (int f = 0; f < net.face_count(); ++f) {
         const std::span<const int> face = net.faces()[f];
@@ -174,10 +175,13 @@ std::vector<double> fold_angles(const Net& net, const Positions& positions) {
                           .cross(positions.col(face[k + 1]) - positions.col(face[0]));
         for (std::size_t k = 0; k < face.size(); ++k) {
             const int a = face[k], b = face[(k + 1) % face.size()];
-            const auto [at, is_first] = firsts.try_emplace(std::minmax({a, b}), Side{normal, a < b});
-            if (is_first) continue;
+            std::optional<Side>& first = firsts[topology.edge_between(a, b)];
+            if (!first) {
+                first = {normal, a < b};
+                continue;
+            }
             // Neighbours that are wound alike run along an edge both ways.
-            const Eigen::Vector3d other = at->second.is_forward == (a < b) ? -at->second.normal : at->second.normal;
+            const Eigen::Vector3d other = first->is_forward == (a < b) ? -first->normal : first->normal;
             folds.push_back(std::atan2(normal.cross(other).norm(), normal.dot(other)));
         }
     }

@@ -129,6 +129,13 @@ std::vector<int> merge_targets(const Positions& positions, double radius) {
     return targets;
 }
 
+std::vector<int> merged_vertices(const std::vector<int>& targets) {
+    std::vector<int> merged;
+    for (std::size_t v = 0; v < targets.size(); ++v)
+        if (targets[v] != static_cast<int>(v)) merged.push_back(static_cast<int>(v));
+    return merged;
+}
+
 // -------------------------------------------------------------------------------------------------------------- faces
 
 /// The face with each run of one vertex shortened to one corner.
@@ -263,6 +270,14 @@ private:
 
 // ------------------------------------------------------------------------------------------------------------- repair
 
+/// Of these vertices or faces, at least one.
+Finding finding_of(Defect defect, bool repaired, std::vector<int> where) {
+    constexpr std::size_t most_examples = 5;
+    const int count = static_cast<int>(where.size());
+    where.resize(std::min(where.size(), most_examples));
+    return {defect, repaired, count, std::move(where)};
+}
+
 /// The mesh during repair. Vertices keep their numbers until the end, faces carry theirs along.
 class Repairer {
 public:
@@ -286,10 +301,8 @@ public:
 
 private:
     void merge_duplicate_vertices(double radius) {
-        std::vector<int> targets = merge_targets(m_mesh.positions, radius), duplicates;
-        for (int v = 0; v < m_mesh.positions.cols(); ++v)
-            if (targets[v] != v) duplicates.push_back(v);
-        const bool repairing = report(Defect::duplicate_vertices, duplicates);
+        std::vector<int> targets = merge_targets(m_mesh.positions, radius);
+        const bool repairing = report(Defect::duplicate_vertices, merged_vertices(targets));
         m_targets = std::move(targets);
         if (!repairing) std::iota(m_targets.begin(), m_targets.end(), 0);
         for (int& vertex : m_mesh.faces.vertices) vertex = m_targets[vertex];
@@ -367,12 +380,9 @@ private:
 
     /// Records a finding; true if there is something, and it is to be repaired.
     bool report(Defect defect, std::vector<int> where) {
-        constexpr std::size_t most_examples = 5;
         if (where.empty()) return false;
         const bool repairing = std::find(m_chosen.begin(), m_chosen.end(), defect) != m_chosen.end();
-        const int count = static_cast<int>(where.size());
-        where.resize(std::min(where.size(), most_examples));
-        m_findings.push_back({defect, repairing, count, std::move(where)});
+        m_findings.push_back(finding_of(defect, repairing, std::move(where)));
         return repairing;
     }
 
@@ -425,6 +435,13 @@ RepairedMesh repair(Mesh mesh, const std::vector<Defect>& chosen, double merge_t
     check(mesh, merge_tolerance);
     const double radius = merge_radius(mesh, merge_tolerance);
     return Repairer(std::move(mesh), chosen).run(radius);
+}
+
+std::optional<Finding> find_duplicate_vertices(const Mesh& mesh, double merge_tolerance) {
+    check(mesh, merge_tolerance);
+    std::vector<int> merged = merged_vertices(merge_targets(mesh.positions, merge_radius(mesh, merge_tolerance)));
+    if (merged.empty()) return std::nullopt;
+    return finding_of(Defect::duplicate_vertices, false, std::move(merged));
 }
 
 bool has_one_side(const Faces& faces) { return Winding(faces).has_one_side(); }

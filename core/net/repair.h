@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,10 @@ inline constexpr double k_merge_tolerance = 1e-4;
 /// times the mean edge length. Throws Error index_out_of_range (a face names no vertex), non_finite (a coordinate, or
 /// an edge too long to be measured), bad_option (merge_tolerance).
 RepairedMesh repair(Mesh mesh, const std::vector<Defect>& chosen, double merge_tolerance = k_merge_tolerance);
+
+/// The vertices that repair() would merge, without looking for anything else; nothing if there are none. Throws as
+/// repair() does.
+std::optional<Finding> find_duplicate_vertices(const Mesh& mesh, double merge_tolerance = k_merge_tolerance);
 
 /// Whether a piece of it has one side only, as a Möbius strip has: its faces cannot all wind one way. Edges of more
 /// than two faces do not count.

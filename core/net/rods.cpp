@@ -1,5 +1,6 @@
 #include "net/rods.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -26,13 +27,24 @@ std::vector<std::vector<int>> rods(const Net& net, const Topology& topology) {
 
 bool is_cut(const Net& net, const Topology& topology) {
     const std::optional<double> shared = shared_length(net);
-    if (!shared || net.is_chebyshev() || faces_by_arity(net.faces()).size() < 2) return false;
-    for (int e = 0; e < net.edge_count(); ++e) {
-        if (!is_as_long(net.rest_lengths()[e], *shared) && !topology.is_boundary(net.edges()(0, e)) &&
-            !topology.is_boundary(net.edges()(1, e)))
+    if (!shared || net.is_chebyshev()) return false;
+    const auto is_whole = [&](int edge) { return is_as_long(net.rest_lengths()[edge], *shared); };
+    for (int e = 0; e < net.edge_count(); ++e)
+        if (!is_whole(e) && !topology.is_boundary(net.edges()(0, e)) && !topology.is_boundary(net.edges()(1, e)))
             return false;
-    }
-    return true;
+    if (faces_by_arity(net.faces()).size() > 1) return true;
+    // A border along the lines leaves quads alone: of whole edges in a line the last is cut short.
+    const auto is_cut_short = [&](int end, int before, int further) {
+        const int edge = topology.edge_between(end, before);
+        return topology.is_boundary(end) && net.edge_face_counts()[edge] == 2 && !is_whole(edge) &&
+               net.rest_lengths()[edge] < *shared && is_whole(topology.edge_between(before, further));
+    };
+    const std::vector<std::vector<int>> lines = topology.net_lines();
+    return std::any_of(lines.begin(), lines.end(), [&](const std::vector<int>& line) {
+        const std::size_t n = line.size();
+        return n > 2 &&
+               (is_cut_short(line[0], line[1], line[2]) || is_cut_short(line[n - 1], line[n - 2], line[n - 3]));
+    });
 }
 
 }  // namespace chebnet

@@ -12,7 +12,7 @@ namespace chebnet {
 std::vector<std::vector<int>> rods(const Net& net, const Topology& topology);
 
 /// Whether a border has cut the net: its edges share a length, but for some that end at the border, where some of its
-/// faces are no quads.
+/// faces are no quads, or lines of whole edges end with a shorter one.
 bool is_cut(const Net& net, const Topology& topology);
 
 }  // namespace chebnet

@@ -500,7 +500,7 @@ TEST_CASE("A net that comes with nearly closed quads is opened, and the report s
     CHECK_FALSE(left.contains("quads_beyond_shear_limit"));
 }
 
-TEST_CASE("equalize ends with 1 where corners stay sharper than the limit, and still writes what has equal edges") {
+TEST_CASE("equalize and change say where corners stay sharp, and end with 0 as every edge has its length") {
     const Sandbox box;
     // A flat ring, its outer border three times as long as the inner one.
     constexpr int around = 30, rows = 10;
@@ -514,13 +514,19 @@ TEST_CASE("equalize ends with 1 where corners stay sharper than the limit, and s
         }
     box.write("ring.obj", write_obj(ring.positions, ring.faces));
     const Run run = box.run("equalize ring.obj -o net.obj");
-    INFO(run.err);
-    CHECK(run.exit_code == 1);
+    CHECK(run.exit_code == 0);
+    CHECK_THAT(run.err, Contains("a corner sharper than 30 degrees"));
     CHECK(run.json().at("status") == "exact");
     CHECK(run.json().at("quads_beyond_shear_limit") > 0);
     CHECK(run.json().at("smallest_corner_angle_degrees") < 30);
     CHECK(run.json().at("max_dL") < 1e-9);
     CHECK(box.has("net.obj"));
+
+    const Run finer = box.run("change net.obj refine");
+    CHECK(finer.exit_code == 0);
+    CHECK_THAT(finer.err, Contains("a corner sharper than 30 degrees"));
+    CHECK(finer.json().at("status") == "exact");
+    CHECK(finer.json().at("max_dL") < 1e-9);
 }
 
 TEST_CASE("equalize gives all edges one length, reports and writes") {
@@ -653,6 +659,31 @@ TEST_CASE("change gives a net other faces, exactly") {
     check_refused(box.run("change fine.obj melt"), "no change is called \"melt\"; known are ");
     check_refused(box.run("change fine.obj cut --line 0 700"), "--line");
     check_refused(box.run("change fine.obj delete_faces"), "no face");
+}
+
+TEST_CASE("change refuses a place that it would not read") {
+    const Sandbox box;
+    const std::string change = "change " + k_recipe + " ";
+    check_refused(box.run(change + "refine --line 0 1"), "refine changes the whole net: it takes no --line");
+    check_refused(box.run(change + "join --vertices 5"), "it takes no --vertices");
+    check_refused(box.run(change + "delete_rows --vertices 5"), "from --line, not from --vertices");
+    check_refused(box.run(change + "delete_faces --vertices 5 --line 40 41"), "from --vertices, not from --line");
+}
+
+TEST_CASE("change writes nothing where no net comes of it") {
+    const Sandbox box;
+    // Folded along the line that goes, so that those beside it lie on each other.
+    constexpr int columns = 5, rows = 4;
+    Mesh folded{Positions(3, columns * rows), {}};
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            const int v = j * columns + i;
+            folded.positions.col(v) << std::min(i, columns - 1 - i), 1.5 * j, 0;
+            if (i + 1 < columns && j + 1 < rows) folded.faces.add({v, v + 1, v + columns + 1, v + columns});
+        }
+    box.write("folded.obj", write_obj(folded.positions, folded.faces));
+    check_refused(box.run("change folded.obj remove_line --line 2 7 -o out.obj"), "length zero");
+    CHECK_FALSE(box.has("out.obj"));
 }
 
 TEST_CASE("drape lays a net on a surface, reports and writes") {

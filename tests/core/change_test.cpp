@@ -61,6 +61,62 @@ void check_origins(const Net& net, const ChangedMesh& changed) {
             REQUIRE(changed.mesh.positions.col(static_cast<int>(v)) == net.rest_positions().col(old));
 }
 
+/// With those faces wound the other way.
+template <class IsTurned>
+Net turned_where(const Net& net, IsTurned is_turned) {
+    Faces faces = net.faces();
+    for (int f = 0; f < faces.size(); ++f)
+        if (is_turned(f))
+            std::reverse(faces.vertices.begin() + faces.start[f], faces.vertices.begin() + faces.start[f + 1]);
+    return Net(net.rest_positions(), faces);
+}
+
+/// A strip of 12 by 2 faces whose ends meet upside down: vertex 3 i + j.
+Net twisted_strip() {
+    constexpr int around = 12, rows = 3;
+    Positions x(3, around * rows);
+    Faces faces;
+    for (int i = 0; i < around; ++i)
+        for (int j = 0; j < rows; ++j) {
+            const double u = 2 * std::numbers::pi * i / around;
+            const Eigen::Vector3d outward(std::cos(u), std::sin(u), 0);
+            x.col(rows * i + j) =
+                2 * outward + (j - 1) * (std::cos(u / 2) * outward + std::sin(u / 2) * Eigen::Vector3d::UnitZ());
+            if (j + 1 == rows) continue;
+            const auto next = [&](int row) { return i + 1 < around ? rows * (i + 1) + row : rows - 1 - row; };
+            faces.add({rows * i + j, next(j), next(j + 1), rows * i + j + 1});
+        }
+    return Net(x, faces);
+}
+
+/// The net without the face whose corners are these, in any order.
+Net without_face(const Net& net, const std::set<int>& corners) {
+    Faces faces;
+    for (int f = 0; f < net.face_count(); ++f)
+        if (std::set<int>(net.faces()[f].begin(), net.faces()[f].end()) != corners) faces.add(net.faces()[f]);
+    return Net(net.rest_positions(), faces);
+}
+
+/// Quads around a hole of five sides, at each corner of which three of them meet: the corners come first, in order.
+Net five_sided_hole() {
+    Positions x(3, 20);
+    Faces faces;
+    for (int k = 0; k < 5; ++k) {
+        const double angle = 2 * std::numbers::pi * k / 5;
+        const auto at = [&](double radius, double turn) {
+            return Eigen::Vector3d(radius * std::cos(angle + turn), radius * std::sin(angle + turn), 0);
+        };
+        x.col(k) = at(1, 0);
+        x.col(5 + k) = at(2, 0.2);
+        x.col(10 + k) = at(2, -0.2);
+        x.col(15 + k) = at(3, 0);
+        const int next = (k + 1) % 5;
+        faces.add({k, 10 + k, 15 + k, 5 + k});
+        faces.add({k, 5 + k, 10 + next, next});
+    }
+    return Net(x, faces);
+}
+
 struct Exact {
     Net net;
     EqualizeReport report;
@@ -232,6 +288,21 @@ TEST_CASE("A row turns round corners, outwards and inwards") {
     CHECK(Topology(all_round).boundary_loops().size() == 1);
 }
 
+TEST_CASE("A row that ends in a corner that it fills goes on over that") {
+    const Net net = without_face(samples::patch(6, 4, 0), {14, 15, 20, 21});  // a notch in the upper border
+    const ChangedMesh longer = changed(net, "add_row", path(net, {19, 20, 14, 15}));
+    check_origins(net, longer);
+    const Net more = net_of(longer);
+    CHECK(more.face_count() == net.face_count() + 3);
+    CHECK(more.vertex_count() == net.vertex_count() + 3);
+    CHECK(more.is_chebyshev());
+    CHECK(Topology(more).boundary_loops().size() == 1);
+    CHECK(longer.mesh.positions.rightCols(3).row(1).minCoeff() == Approx(4));
+
+    const Net hole = five_sided_hole();
+    CHECK_THAT(change_refusal(hole, "add_row", path(hole, {4, 0, 1})), Catch::Contains("closes on itself"));
+}
+
 TEST_CASE("Rows are added at borders alone, and where they have room") {
     CHECK_THAT(change_refusal(samples::ring(6, 5, true), "add_row", {0, 1}), Catch::Contains("lies on the border"));
     const Net touching = net_of(changed(samples::patch(5, 5), "delete_faces", {}, {0, 12}));
@@ -278,6 +349,41 @@ TEST_CASE("A row goes all round a tube, and a line leaves it") {
     const Net shorter = net_of(changed(tube, "remove_line", path(tube, *closed)));
     CHECK(shorter.vertex_count() == tube.vertex_count() - static_cast<int>(closed->size()) + 1);
     CHECK(Topology(shorter).boundary_loops().size() == topology.boundary_loops().size());
+}
+
+TEST_CASE("Rows are put in and taken out also where faces on the two sides are wound unlike each other") {
+    const Net alike = samples::patch(5, 4);
+    const Net unlike = turned_where(alike, [](int f) { return f % 4 >= 2; });
+    const Net strip = twisted_strip();
+    for (const char* way : {"insert_row", "remove_line"}) {
+        CAPTURE(way);
+        const Net expected = net_of(changed(alike, way, path(alike, {2, 7, 12, 17})));
+        const Net found = net_of(changed(unlike, way, path(unlike, {2, 7, 12, 17})));
+        CHECK(found.edge_count() == expected.edge_count());
+        CHECK(edge_length_range(found, found.rest_positions()).longest ==
+              Approx(edge_length_range(expected, expected.rest_positions()).longest));
+        CHECK(border(found).size() == border(expected).size());
+        for (const int column : {0, 5}) {  // the first is where the ends meet
+            const Net other = net_of(changed(strip, way, path(strip, {3 * column, 3 * column + 1, 3 * column + 2})));
+            CHECK(other.face_count() == strip.face_count() + (way[0] == 'i' ? 2 : -2));
+            CHECK(border(other).size() == border(strip).size() + (way[0] == 'i' ? 2 : -2));
+            CHECK(Topology(other).boundary_loops().size() == 1);
+            CHECK(has_one_side(other.faces()));
+        }
+    }
+}
+
+TEST_CASE("A net of quads alone that a border has cut is made neither finer nor coarser") {
+    const Net whole = samples::patch(9, 9, 0);
+    Positions x = whole.rest_positions();
+    x.row(0) = x.row(0).cwiseMin(7.15);
+    x.row(1) = x.row(1).cwiseMin(7.03);
+    const Net cut(x, whole.faces());
+    for (const char* way : {"refine", "coarsen"}) CHECK_THAT(change_refusal(cut, way), Catch::Contains("rods are cut"));
+    // Wider at the border is not cut there.
+    x.row(0) = (x.row(0).array() > 7).select(8, whole.rest_positions().row(0));
+    x.row(1) = (x.row(1).array() > 7).select(9, whole.rest_positions().row(1));
+    CHECK(changed(Net(x, whole.faces()), "refine").mesh.faces.size() == 4 * whole.face_count());
 }
 
 TEST_CASE("Where no row can be put in or taken out, the reason is said") {
@@ -344,6 +450,18 @@ TEST_CASE("Joining takes a cut back, and closes what was brought together") {
         both.add(face);
     }
     CHECK(net_of(changed(Net(doubled, both), "join")).vertex_count() == 2 * net.vertex_count() - 14);
+}
+
+TEST_CASE("Borders that would meet three at an edge are not joined, which is said without numbers of what would be") {
+    Mesh mesh{Positions(3, 12), {}};
+    for (int sheet = 0; sheet < 3; ++sheet) {
+        const double angle = 2 * std::numbers::pi * sheet / 3;
+        const Eigen::Vector3d away(std::cos(angle), std::sin(angle), 0), up = Eigen::Vector3d::UnitZ();
+        mesh.positions.middleCols(4 * sheet, 4) << 0.1 * away, 0.1 * away + up, 1.1 * away + up, 1.1 * away;
+        mesh.faces.add({4 * sheet, 4 * sheet + 1, 4 * sheet + 2, 4 * sheet + 3});
+    }
+    CHECK(change_refusal(Net(mesh.positions, mesh.faces), "join") ==
+          "these borders do not fit together: more than two faces would meet at an edge");
 }
 
 TEST_CASE("A longer net is exact and within the limit of corners") {

@@ -262,6 +262,34 @@ TEST_CASE("The limit of corners is the user's") {
     CHECK(report.smallest_angle > 44.99 * EIGEN_PI / 180);
 }
 
+/// Edges of length 1, corners of this angle.
+Net rhombi(int n, double angle) {
+    Positions x = samples::patch(n, n, 0).rest_positions();
+    for (auto point : x.colwise()) point << point.x() + std::cos(angle) * point.y(), std::sin(angle) * point.y(), 0;
+    return Net(x, samples::patch(n, n, 0).faces());
+}
+
+TEST_CASE("A net that comes with edges of one length has its corners opened, or it is said that they are sharp") {
+    const Net sharp = rhombi(6, 15 * EIGEN_PI / 180);
+    Equalizer opened(sharp);
+    const EqualizeReport report = opened.solve();
+    CHECK(report.status == Status::converged);
+    CHECK(report.method == "equilibrium");
+    CHECK(report.quads_beyond_limit == 0);
+    CHECK(largest_deviation(sharp, opened.positions(), 1) < 1.1e-9);
+
+    EqualizeOptions options;
+    options.handles = {14, 15, 20};  // the corner of 165 degrees of one quad
+    Equalizer held(sharp, options);
+    CHECK(held.solve().status == Status::exact);
+    for (const int v : options.handles) CHECK(held.positions().col(v) == sharp.rest_positions().col(v));
+
+    options = by_lengths_alone(EqualLength::mean);
+    Equalizer alone(sharp, options);
+    CHECK(alone.solve().status == Status::converged);
+    CHECK(alone.positions() == sharp.rest_positions());
+}
+
 TEST_CASE("Where there is no surface to be near, lengths alone are asked for, and it is said") {
     Equalizer equalizer(five_neighbours()), alone(five_neighbours(), by_lengths_alone(EqualLength::mean));
     const EqualizeReport report = equalizer.solve();
@@ -294,6 +322,7 @@ TEST_CASE("A net with edges of one length comes back bit for bit") {
     Equalizer equalizer(net, options);
     const EqualizeReport report = equalizer.solve();
     CHECK(report.status == Status::converged);
+    CHECK(report.method == "equilibrium");
     CHECK(report.iterations == 0);
     CHECK(report.max_move == 0);
     CHECK(equalizer.positions() == net.rest_positions());
@@ -444,6 +473,11 @@ TEST_CASE("In slices it comes to the same result, and can be left at any of them
     CHECK(report.iterations == at_once.iterations);
     CHECK(sliced.positions() == whole.positions());
     CHECK(sliced.solve().iterations == report.iterations);  // nothing is left to do
+    CHECK(report.mean_move == at_once.mean_move);
+    CHECK(report.folds == at_once.folds);
+
+    Equalizer unmeasured(mesh);
+    while (unmeasured.advance({1, 1e9}) == Status::running) CHECK_FALSE(unmeasured.solve({1, 1e9}).distance);
 
     Equalizer hurried(mesh);
     CHECK(hurried.solve({1000, 0}).iterations == 1);

@@ -1,6 +1,7 @@
 #include "edit/exact_change.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "net/topology.h"
 #include "sample_nets.h"
@@ -46,6 +47,20 @@ TEST_CASE("Where no net is found with what is held, all of it is free") {
     REQUIRE(exact.solve().status == Status::converged);
     CHECK(deviation_from(1, exact.positions(), narrower) < k_equal_deviation);
     CHECK((exact.positions().col(0) - exact.positions().col(m - 2)).norm() < m - 2 + 1e-6);
+}
+
+TEST_CASE("What is held stays where only a net with corners sharper than the limit is found so") {
+    const int m = 6;
+    const double sharp = 25 * EIGEN_PI / 180;
+    Positions x = samples::patch(m, m, 0).rest_positions();
+    for (auto point : x.colwise()) point << point.x() + std::cos(sharp) * point.y(), std::sin(sharp) * point.y(), 0;
+    const Net sheared(x, samples::patch(m, m, 0).faces());
+    const ChangedMesh finer = find_change("refine").make(sheared, {});
+    const std::vector<int> held = {14, 15, 20};  // one corner of a quad, of 155 degrees at 14
+    ExactChange exact(finer, {.length = 1.0, .held = held});
+    CHECK(exact.solve().status == Status::exact);
+    CHECK(deviation_from(0.5, exact.positions(), finer) < k_equal_deviation);
+    for (const int vertex : held) CHECK(exact.positions().col(vertex) == sheared.rest_positions().col(vertex));
 }
 
 TEST_CASE("A changed net whose edges have a length each stays as it is") {

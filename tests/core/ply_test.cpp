@@ -1,5 +1,6 @@
 #include "io/ply.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "io/bytes.h"
@@ -112,6 +113,19 @@ TEST_CASE("PLY habits that all mean the same triangle") {
     const std::string face = bytes_of(std::uint8_t{3}, 0, 1, 2);
     CHECK(faces_of(read_ply(k_binary_triangle + face, "")) == triangle);
     CHECK(faces_of(read_ply(k_binary_triangle + face + "\nwhat follows", "")) == triangle);
+}
+
+TEST_CASE("The first byte of a PLY's data belongs to no line, also behind lines that end with CR alone") {
+    std::string header =
+        k_binary + "element vertex 1\nproperty uchar x\nproperty uchar y\nproperty uchar z\nend_header\n";
+    const std::string ten = bytes_of(std::uint8_t{10}, std::uint8_t{13}, std::uint8_t{10});
+    const auto read_point = [&] { return Eigen::Vector3d(read_ply(header + ten, "").positions.col(0)); };
+    CHECK(read_point() == Eigen::Vector3d(10, 13, 10));
+    std::replace(header.begin(), header.end(), '\n', '\r');
+    CHECK(read_point() == Eigen::Vector3d(10, 13, 10));
+    for (std::size_t k = header.find('\r'); k != std::string::npos; k = header.find('\r', k + 2))
+        header.replace(k, 1, "\r\n");
+    CHECK(read_point() == Eigen::Vector3d(10, 13, 10));
 }
 
 TEST_CASE("A PLY of points is a mesh without faces") {

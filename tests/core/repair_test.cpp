@@ -57,6 +57,15 @@ TEST_CASE("A sound mesh is left as it is") {
     CHECK(result.new_vertex == std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7});
 }
 
+TEST_CASE("Coinciding vertices are found as by the repair of all, without it") {
+    CHECK_FALSE(find_duplicate_vertices(strip(3)));
+    const std::optional<Finding> found = find_duplicate_vertices(exploded(strip(3)));
+    REQUIRE(found);
+    CHECK(to_sentence(*found) == found_in(exploded(strip(3))).front());
+    CHECK_FALSE(found->repaired);
+    CHECK(samples::refusal_of([] { find_duplicate_vertices(strip(1), 0); }).starts_with("bad_option"));
+}
+
 TEST_CASE("What is not chosen is found and left") {
     const Mesh mesh = samples::with_face(with_vertex(strip(2), 0, 0, 0), {1, 3, 2, 0});
     const RepairedMesh result = repair(mesh, {});

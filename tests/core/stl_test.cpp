@@ -1,6 +1,8 @@
 #include "io/stl.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cctype>
 #include <limits>
 
 #include "io/mesh_file.h"
@@ -30,6 +32,11 @@ TEST_CASE("Text STL is read, and corners at one place are one vertex") {
     CHECK(mesh.positions.col(3) == Eigen::Vector3d(1, 1, 0.125));
     CHECK(mesh.positions.cols() == 4);
     CHECK(read_stl("solid\nendsolid\n", "part").faces.size() == 0);
+
+    std::string upper = k_stl_text;
+    std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
+    for (const std::string& text : {upper, "\n \r\n" + k_stl_text})
+        CHECK(samples::same_bits(read_mesh(text, "part.stl"), mesh));
 }
 
 TEST_CASE("A net written as STL is read as its triangles, to the last bit of a float") {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <random>
 
+#include "base/stopwatch.h"
 #include "net/families.h"
 #include "sample_nets.h"
 #include "solve/terms/bending_term.h"
@@ -343,4 +344,21 @@ TEST_CASE("The shear limit holds exactly when no corner of a quad is sharper, no
         CHECK((limit.evaluate(rhombus).minCoeff() >= -1e-12) == (degrees >= 30 && degrees <= 150));
     }
     CHECK(shear_limit(samples::mixed_mesh(), 0.5).count() == 2);  // of three faces one is a quad
+}
+
+TEST_CASE("Lines through a vertex at which very many edges meet are looked for in no time") {
+    constexpr int count = 100'000;
+    Positions x(3, count + 1);
+    Faces fan;
+    x.col(0).setZero();
+    for (int k = 0; k < count; ++k) {
+        const double angle = 2 * EIGEN_PI * k / count;
+        x.col(k + 1) << std::cos(angle), std::sin(angle), 0;
+        fan.add({0, 1 + k, 1 + (k + 1) % count});
+    }
+    const Net net(x, fan);
+    const Topology topology(net);
+    const Stopwatch watch;
+    const BendingTerm term(net, topology, net.rest_positions(), 1, BendingTerm::Reference::straight);
+    CHECK(watch.milliseconds() < 3000);  // each edge compared with each takes more than ten times that
 }

@@ -1,5 +1,8 @@
 /** What becomes of a document whose net gets other faces. */
 import { expect, test } from 'vitest';
+import type { Chebnet } from '../../wasm/chebnet';
+import { changeNet } from '../../web/src/change/change_net';
+import type { ChangeRequest, ChangeResponse } from '../../web/src/change/change_protocol';
 import { changedScene, resizedGuide } from '../../web/src/change/subject';
 import type { ChebnetDocument, HandleSeed } from '../../web/src/document/document';
 
@@ -9,7 +12,7 @@ const line = (count: number, step: number) => ({
   faceStart: Int32Array.of(0),
   faceVertices: new Int32Array(),
 });
-const changed = { mesh: line(3, 2), origins: Int32Array.of(0, 2, 4), pieces: 1 };
+const changed = { mesh: line(3, 2), origins: Int32Array.of(0, 2, 4), pieces: 1, sharp: false };
 const documentWith = (...vertices: number[]) =>
   ({
     net: { recipe: 'vault' },
@@ -56,4 +59,23 @@ test('in another size its surface has that size, too, about the same centre', ()
       faceVertices: Int32Array.of(0, 1, 2),
     },
   });
+});
+
+/** What the page hears of a change that the core makes exact so. */
+function endOf(status: string): ChangeResponse {
+  const { mesh, origins } = changed;
+  const core = {
+    change: () => ({ mesh, origins, lengthFactor: 1, keepsEdges: false }),
+    exactChange: () => ({ solve: () => ({ status, iterations: 1 }), positions: () => mesh.positions, dispose() {} }),
+    openMesh: () => ({ info: { components: 1 }, dispose() {} }),
+  } as unknown as Chebnet;
+  const said: ChangeResponse[] = [];
+  changeNet(core, { mesh, way: 'refine', length: 1, held: [] } as unknown as ChangeRequest, (it) => said.push(it));
+  return said.at(-1)!;
+}
+
+test('a net whose edges have their length is taken also where corners are sharper than the limit, and that is known', () => {
+  expect(endOf('converged')).toMatchObject({ type: 'ended', changed: { sharp: false } });
+  expect(endOf('exact')).toMatchObject({ type: 'ended', changed: { sharp: true } });
+  expect(endOf('stalled')).toEqual({ type: 'ended', changed: null });
 });

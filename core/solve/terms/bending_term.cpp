@@ -41,7 +41,8 @@ std::vector<int> find_partners(const Net& net, const Topology& topology, const s
             if (other == place || std::find(beside[place].begin(), beside[place].end(), other) != beside[place].end())
                 continue;
             ++candidates;
-            if (beside[other].size() == 2) ++inner;
+            // With two such there is none, which is known soon also where very many edges meet.
+            if (beside[other].size() == 2 && ++inner == 2) return -1;
             if (candidates == 1 || beside[other].size() == 2) found = other;
         }
         return candidates == 1 || inner == 1 ? found : -1;

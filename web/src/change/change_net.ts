@@ -18,13 +18,13 @@ export function changeNet(core: Chebnet, request: ChangeRequest, post: (response
 function changedNet(core: Chebnet, request: ChangeRequest, news: (iterations: number) => void): ChangedNet | null {
   const changed = changedFaces(core, request);
   const { mesh, origins } = changed;
-  const positions = exactPositions(core, request, changed, news);
-  if (positions === null) return null;
-  const exact = { ...mesh, positions };
+  const found = exactPositions(core, request, changed, news);
+  if (found === null) return null;
+  const exact = { ...mesh, positions: found.positions };
   const editor = core.openMesh(exact);
   const pieces = editor.info.components;
   editor.dispose();
-  return { mesh: exact, origins, pieces };
+  return { mesh: exact, origins, pieces, sharp: found.sharp };
 }
 
 function changedFaces(core: Chebnet, { mesh, way, place, factor }: ChangeRequest): ChangedMesh {
@@ -40,12 +40,14 @@ function exactPositions(
   { length, held, shearLimit }: ChangeRequest,
   changed: ChangedMesh,
   news: (iterations: number) => void,
-): Float64Array | null {
+): { positions: Float64Array; sharp: boolean } | null {
   const exact = core.exactChange(changed, { length, held, ...(shearLimit !== undefined && { shearLimit }) });
   try {
     for (;;) {
       const { status, iterations } = exact.solve({ milliseconds: SLICE });
-      if (status !== 'running') return status === 'converged' ? exact.positions() : null;
+      if (status === 'converged' || status === 'exact')
+        return { positions: exact.positions(), sharp: status === 'exact' };
+      if (status !== 'running') return null;
       news(iterations);
     }
   } finally {

@@ -26,6 +26,8 @@ export interface ChangedNet {
   origins: Int32Array;
   /** How many pieces that no edge joins. */
   pieces: number;
+  /** Corners are sharper than the limit: within it no net was found. */
+  sharp: boolean;
 }
 
 export type ChangeResponse =

@@ -113,12 +113,13 @@ export class Openers {
     }
     await this.#app.openScene(scene, name);
     const lostHandles = opening.document.handles.length - scene.handles.length;
-    const { vertices, pieces, lost, tooManyToRest, restsAgain } = dialogWords.change;
+    const { vertices, pieces, sharp, lost, tooManyToRest, restsAgain } = dialogWords.change;
     const aboutMethod = scene.method === METHOD_AT_REST ? restsAgain : tooManyToRest;
     this.#app.say(
       words.core.sentences([
         vertices(count(changed.origins.length)),
         changed.pieces > 1 ? pieces(changed.pieces) : '',
+        changed.sharp ? sharp : '',
         lostHandles > 0 ? lost(lostHandles) : '',
         scene.method === opening.document.method ? '' : aboutMethod(count(MOST_VERTICES_AT_REST)),
       ]),

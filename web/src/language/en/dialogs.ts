@@ -313,6 +313,7 @@ export const dialogs = {
     vertices: (count: string) => `The net has ${count} vertices now.`,
     lengths: (length: string) => `The edges are ${length} long now.`,
     pieces: (count: number) => `It has ${count} pieces.`,
+    sharp: 'Some corners are sharper than the limit: no such net within it was found.',
     lost: (handles: number) =>
       handles === 1
         ? 'One handle is gone: its vertex is no more.'
