@@ -54,9 +54,10 @@ struct Drape {
     Net net;
     Eigen::Matrix2Xi places;  ///< 2×V, the steps from the seed to each vertex along the first and the second family; to
                               ///< the end of a rod that was cut, those to the vertex beyond the border
-    int locked = 0;    ///< its corners would have been too sharp or too blunt, or no such point exists
-    int met = 0;       ///< it would have stood on the net, or not one edge away from all its neighbours
-    int cut_ends = 0;  ///< of rods at the boundary curve, each behind a shorter edge
+    std::vector<int> faces;  ///< V, of the surface, the triangle at each vertex: on its side of slits
+    int locked = 0;          ///< its corners would have been too sharp or too blunt, or no such point exists
+    int met = 0;             ///< it would have stood on the net, or not one edge away from all its neighbours
+    int cut_ends = 0;        ///< of rods at the boundary curve, each behind a shorter edge
     DrapeOptions::Arms arms = DrapeOptions::Arms::geodesic;  ///< those it has: geodesic ones also where others that
                                                              ///< were to shear less would not have made a better net
 };

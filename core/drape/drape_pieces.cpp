@@ -72,10 +72,13 @@ DrapeOptions beginning_on(const Guide& piece, double length) {
 DrapeOptions options_on(const Guide& piece, const PiecesOptions& options, const Eigen::Vector3d* seed) {
     const DrapeOptions suggested = beginning_on(piece, options.drape.length);
     DrapeOptions own = options.drape;
-    own.seed = suggested.seed;
+    own.slits = true;  // trials keep to them, too
+    own.seed = seed != nullptr ? *seed : suggested.seed;
     if (!options.has_direction) own.direction = suggested.direction;
-    if (options.best) own = propose_drapes(piece.surface(), piece.tree(), own).front().options;
-    if (seed != nullptr) own.seed = *seed;
+    if (options.best && seed == nullptr)
+        own = propose_drapes(piece.surface(), piece.tree(), own).front().options;
+    else if (options.best && !options.has_direction)
+        own = with_best_direction(piece.surface(), piece.tree(), own);
     if (options.has_direction) own.direction = options.drape.direction;
     return own;
 }

@@ -180,4 +180,17 @@ std::vector<DrapeProposal> propose_drapes(const Surface& surface, const SurfaceT
     return proposals;
 }
 
+DrapeOptions with_best_direction(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {
+    check_drape(surface, options);
+    const SurfaceTree::Nearest seed = tree.nearest(options.seed);
+    for (const DrapeOptions::Border border : {DrapeOptions::Border::inside, options.border}) {
+        const auto best = best_at(surface, tree, options, seed, border);
+        if (!best) continue;
+        DrapeOptions directed = options;
+        directed.direction = best->options.direction;
+        return directed;
+    }
+    return options;
+}
+
 }  // namespace chebnet

@@ -728,6 +728,7 @@ TEST_CASE("drape cuts a surface, lays a net on each piece, and reports of each a
     CHECK(best.at("coverage_with_it") > proposed.at("proposed").at("coverage_uncut"));
     CHECK(proposed.at("net").at("coverage") == best.at("coverage_with_it"));
 
+    check_refused(box.run("drape --surface pebble --propose-cuts 1 --seed 0 0 2 --seed 1 0 2"), "from one --seed");
     check_refused(box.run(drape + "--cut-along \"0,0 1,0,0\""), "\"0,0\" should be three numbers");
     check_refused(box.run(drape + "--cut-along \"0,0,0 1,x,0\""), "\"x\" is not a number");
     check_refused(box.run(drape + "--cut-to-border 0,x,0"), "--cut-to-border: \"x\" is not a number");
