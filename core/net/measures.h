@@ -30,9 +30,9 @@ struct LengthRange {
 };
 LengthRange edge_length_range(const Net& net, const Positions& positions);
 
-/// A part of L: an edge nearer to it than that has this length. Those of a net whose dL is below 1e-9 are, by some
-/// 3e-5.
-inline constexpr double k_whole_edge = 1e-4;
+/// A part of L: an edge nearer to it than that has this length. Such are those of a net whose dL is below
+/// k_chebyshev_deviation: a cut net that was edited and saved opens as what it is, too.
+inline constexpr double k_whole_edge = 1e-3;
 
 /// L, the rest length of more than half of all edges, if there is one: where a border has cut the net, edges there have
 /// others.

@@ -12,7 +12,12 @@ namespace chebnet {
 
 namespace {
 
-bool is_as_long(double length, double shared) { return std::abs(length - shared) <= k_whole_edge * shared; }
+// Of a length: what is nearer to it is as long, also of a net whose dL is 1e-9.
+constexpr double k_as_long = 1e-4;
+
+bool is_as_long(double length, double shared, double tolerance = k_whole_edge) {
+    return std::abs(length - shared) <= tolerance * shared;
+}
 
 // A cosine, of 30°: a rod turns by less from one edge to the next, sheared and coarse as a net may be.
 constexpr double k_straight = 0.866;
@@ -22,7 +27,8 @@ class RodEdges {
 public:
     RodEdges(const Net& net, const Topology& topology, double shared)
         : m_net(net), m_topology(topology), m_is_whole(static_cast<std::size_t>(net.edge_count())) {
-        for (int e = 0; e < net.edge_count(); ++e) m_is_whole[e] = is_as_long(net.rest_lengths()[e], shared);
+        const double tolerance = std::max(k_as_long, whole_edge_tolerance(net, topology, shared));
+        for (int e = 0; e < net.edge_count(); ++e) m_is_whole[e] = is_as_long(net.rest_lengths()[e], shared, tolerance);
         m_is_rod = m_is_whole;
         for (int e = 0; e < net.edge_count(); ++e)
             if (!is_on_boundary(e)) m_is_rod[e] = true;
@@ -106,6 +112,15 @@ std::vector<std::vector<int>> rods(const Net& net, const Topology& topology) {
         }
     }
     return rods;
+}
+
+double whole_edge_tolerance(const Net& net, const Topology& topology, double shared) {
+    constexpr double k_farther = 2;  // those that end at the border may be
+    double spread = 0;
+    for (int e = 0; e < net.edge_count(); ++e)
+        if (!topology.is_boundary(net.edges()(0, e)) && !topology.is_boundary(net.edges()(1, e)))
+            spread = std::max(spread, std::abs(net.rest_lengths()[e] - shared) / shared);
+    return std::min(k_farther * spread, k_whole_edge);
 }
 
 bool is_closed_rod(const Topology& topology, const std::vector<int>& rod) {

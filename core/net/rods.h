@@ -17,6 +17,10 @@ std::vector<std::vector<int>> rods(const Net& net, const Topology& topology);
 /// Of one of them: it ends where it began, and goes straight on there.
 bool is_closed_rod(const Topology& topology, const std::vector<int>& rod);
 
+/// How far whole edges are from the length `shared` with others, as a part of it, by those that no border can have cut:
+/// next to nothing where a net was laid, up to k_whole_edge where it was edited. What a border cuts off may be less.
+double whole_edge_tolerance(const Net& net, const Topology& topology, double shared);
+
 /// Whether a border has cut the net: its edges share a length, but for some that end at the border, where some of its
 /// faces are no quads.
 bool is_cut(const Net& net, const Topology& topology);
