@@ -211,7 +211,7 @@ int run_drape(const DrapeArguments& arguments) {
     write_net(arguments.output, draped.net.rest_positions(), draped.net.faces());
     print({{"surface", name_of(arguments.surface)},
            {"described", surface_report(describe(surface))},
-           {"net", drape_report(draped, measure_drape(surface, tree, draped.net))},
+           {"net", drape_report(draped, measure_drape(surface, tree, draped.net, options.length))},
            {"milliseconds", {{"tree", tree_ms}, {"drape", drape_ms}}}});
     return k_success;
 }

@@ -96,7 +96,7 @@ Drape bridged_drape(const std::shared_ptr<const Guide>& guide, const DrapeOption
     Drape locked = drape(guide->surface(), guide->tree(), options);
     if (locked.locked == 0) return locked;
     const auto coverage = [&](const Drape& laid) {
-        return measure_drape(guide->surface(), guide->tree(), laid.net).coverage;
+        return measure_drape(guide->surface(), guide->tree(), laid.net, options.length).coverage;
     };
     const double enough = coverage(locked);
     for (const double sharper : k_sharper) {

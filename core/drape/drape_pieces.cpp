@@ -128,7 +128,7 @@ DrapedPiece draped_from(int number, const std::shared_ptr<const Guide>& piece, D
     const bool has_curve = own.arms == DrapeOptions::Arms::curve;
     if (has_curve && !is_on(*piece, own.along, k_on_piece * own.length)) own.arms = DrapeOptions::Arms::geodesic;
     Drape draped = leave > 0 ? bridged_drape(piece, own, leave) : drape(piece->surface(), piece->tree(), own);
-    const DrapeReport report = measure_drape(piece->surface(), piece->tree(), draped.net);
+    const DrapeReport report = measure_drape(piece->surface(), piece->tree(), draped.net, own.length);
     return {number, piece->surface().area(), own, std::move(draped), report};
 }
 
@@ -195,7 +195,7 @@ DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& wanted) {
         throw refused ? *refused : Error(ErrorCode::bad_option, "no piece has all of the curve");
     std::stable_partition(draped.begin(), draped.end(), [&](const DrapedPiece& piece) { return piece.piece == first; });
     Net net = side_by_side(draped);
-    const DrapeReport report = measure_drape(surface, SurfaceTree(surface), net);
+    const DrapeReport report = measure_drape(surface, SurfaceTree(surface), net, options.drape.length);
     return {std::move(net), std::move(draped), std::move(bare), report};
 }
 

@@ -775,6 +775,12 @@ TEST_CASE("drape takes surfaces of our own, and begins in the middle") {
     const json middle = box.run("drape --surface torso --cells 300").json();
     const json best = box.run("drape --surface torso --cells 300 --best").json();
     CHECK(best.at("net").at("coverage") > middle.at("net").at("coverage"));
+    const std::string from_seed = "drape --surface shell --cells 300 --seed 1.5 -0.8 1 ";
+    CHECK(box.run(from_seed + "--best --direction 1 0 0").json().at("net") == box.run(from_seed).json().at("net"));
+    CHECK(box.run(from_seed + "--best").json().at("net") != box.run(from_seed).json().at("net"));
+
+    const json few = box.run("drape --surface hemisphere --cells 3 --cut --reach 1").json().at("net");
+    CHECK((few.at("smallest_corner_angle_degrees").is_null() || few.at("smallest_corner_angle_degrees") < 91));
 }
 
 TEST_CASE("what cannot be draped is refused with one line") {
