@@ -318,6 +318,14 @@ TEST_CASE("edges grow as little as handles beyond reach ask for, or by the scale
     CHECK(scale("solve " + edit + "--adapt-lengths") == Approx(1.5));
     CHECK(scale("drag " + edit + "--frames 3 --adapt-lengths") == Approx(1.5));
     CHECK(scale("solve " + edit + "--length-scale 2") == 2);
+
+    // All solves are told of, and the search between them apart.
+    const json alone = box.run("solve " + edit).json();
+    const json adapted = box.run("solve " + edit + "--adapt-lengths --trace trace.csv").json();
+    CHECK(adapted.at("search_for_lengths").at("iterations") > 0);
+    CHECK(adapted.at("iterations") >= alone.at("iterations"));
+    CHECK(sum(adapted.at("iterations_by_stage")) == line_count(box.read("trace.csv")) - 1);
+    CHECK_FALSE(alone.contains("search_for_lengths"));
     check_refused(box.run("solve " + edit + "--length-scale 5"), "length_scale");
 }
 
@@ -443,6 +451,9 @@ TEST_CASE("what a surface does to the net needs a surface") {
     const Sandbox box;
     box.write("pull.json", pull_edit(0.2).dump());
     check_refused(box.run("solve " + k_recipe + " --edit pull.json --guide-mode near"), "--guide");
+    const std::string guided = "solve " + k_recipe + " --edit pull.json --guide hypar --method ";
+    CHECK_THAT(box.run(guided + "projection").err, Contains("method projection does nothing with a guide"));
+    CHECK(box.run(guided + "equilibrium").err.empty());
 }
 
 TEST_CASE("a drag with a frame that does not converge ends with 1") {
