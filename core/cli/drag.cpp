@@ -136,7 +136,7 @@ int run_drag(const DragArguments& arguments) {
     Editor editor = open_editor(arguments.solver);
     const auto goal = read_edit(arguments.solver.edit, editor.net().vertex_count());
     const Dragged dragged = drag(editor, goal, arguments.frames, !arguments.solver.adapts_lengths);
-    const SolveReport end = with_lengths_adapted(arguments.solver, editor, dragged.frames.back());
+    const SolveReport end = with_lengths_adapted(arguments.solver, editor, dragged.frames.back()).solve;
     write_results(arguments.solver, editor, to_csv(dragged.frames));
     print(drag_report(arguments, editor, end, dragged));
     // A frame on the way need not have come to rest.

@@ -71,8 +71,12 @@ DrapeOptions shared_options(const DrapeArguments& arguments, const Surface& surf
 
 DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
     DrapeOptions options = shared_options(arguments, surface, tree);
-    if (arguments.best) options = propose_drapes(surface, tree, options).front().options;
-    if (!arguments.seed.empty()) options.seed = Eigen::Vector3d::Map(arguments.seed.data());
+    const bool has_seed = !arguments.seed.empty();
+    if (has_seed) options.seed = Eigen::Vector3d::Map(arguments.seed.data());
+    if (arguments.best && !has_seed)
+        options = propose_drapes(surface, tree, options).front().options;
+    else if (arguments.best && arguments.direction.empty())
+        options = with_best_direction(surface, tree, options);
     if (!arguments.direction.empty()) options.direction = Eigen::Vector3d::Map(arguments.direction.data());
     return options;
 }
@@ -107,6 +111,7 @@ Json pieces_report(const DrapedPieces& made) {
 PiecesOptions pieces_options(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
     PiecesOptions options;
     if (arguments.propose_cuts > 0) {
+        if (arguments.seed.size() > 3) throw Error(ErrorCode::bad_option, "--propose-cuts tries nets from one --seed");
         options.drape = options_of(arguments, surface, tree);
         options.leave = arguments.leave;
         options.first_seed = true;
@@ -206,7 +211,7 @@ int run_drape(const DrapeArguments& arguments) {
     write_net(arguments.output, draped.net.rest_positions(), draped.net.faces());
     print({{"surface", name_of(arguments.surface)},
            {"described", surface_report(describe(surface))},
-           {"net", drape_report(draped, measure_drape(surface, tree, draped.net))},
+           {"net", drape_report(draped, measure_drape(surface, tree, draped.net, options.length))},
            {"milliseconds", {{"tree", tree_ms}, {"drape", drape_ms}}}});
     return k_success;
 }
@@ -259,7 +264,8 @@ Command add_drape(CLI::App& program) {
             "That curve: shortest ways between points on the surface, \"x,y,z x,y,z ...\". The seed goes to its "
             "nearest point, and the direction is its own")
         ->type_name("POINTS");
-    command.add_flag("--best", arguments->best, "Begin where the best of several trials does");
+    command.add_flag("--best", arguments->best,
+                     "Begin where the best of several trials does; with --seed, there in the best direction");
     command
         .add_option(
             "--cut-along", arguments->cuts,

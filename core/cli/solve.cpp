@@ -17,11 +17,15 @@ Json iterations_by_stage(const Trace& trace) {
     return stages;
 }
 
-Json solve_report(const SolverArguments& arguments, const Editor& editor, const SolveReport& solved) {
+Json solve_report(const SolverArguments& arguments, const Editor& editor, const AdaptedSolve& adapted) {
+    const SolveReport& solved = adapted.solve;
     Json report{{"net", arguments.net.name},           {"method", editor.method()},
                 {"status", to_string(solved.status)},  {"to_rest", to_rest_report(solved.to_rest)},
                 {"iterations", solved.iterations},     {"iterations_by_stage", iterations_by_stage(solved.trace)},
                 {"milliseconds", solved.milliseconds}, {"factorisation_milliseconds", solved.factorisation_ms}};
+    if (adapted.search)
+        report["search_for_lengths"] = {{"iterations", adapted.search->iterations},
+                                        {"milliseconds", adapted.search->milliseconds}};
     report.update(shape_report(editor));
     report.update(forces_report(editor));
     return report;
@@ -30,10 +34,10 @@ Json solve_report(const SolverArguments& arguments, const Editor& editor, const 
 int run_solve(const SolverArguments& arguments) {
     Editor editor = open_editor(arguments);
     editor.set_handles(read_edit(arguments.edit, editor.net().vertex_count()));
-    const SolveReport solved = with_lengths_adapted(arguments, editor, editor.solve());
-    write_results(arguments, editor, to_csv(solved.trace));
-    print(solve_report(arguments, editor, solved));
-    return keeps_lengths(solved.status) ? k_success : k_not_converged;
+    const AdaptedSolve adapted = with_lengths_adapted(arguments, editor, editor.solve());
+    write_results(arguments, editor, to_csv(adapted.solve.trace));
+    print(solve_report(arguments, editor, adapted));
+    return keeps_lengths(adapted.solve.status) ? k_success : k_not_converged;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <iostream>
 #include <memory>
 
-#include "edit/length_adapter.h"
 #include "edit/net_forces.h"
 #include "fabricate/rod_table.h"
 #include "io/file.h"
@@ -56,11 +55,15 @@ std::string setting_fault(const std::string& word) {
     return is_setting ? "" : "wants key=value, not " + word + " (NET stands before --set)";
 }
 
+bool reads_option(const Editor& editor, std::string_view key) {
+    const auto is_used = [&](const MethodInfo& method) { return method.name == editor.method(); };
+    return reads(*std::ranges::find_if(method_table(), is_used), key);
+}
+
 /// Says so where the method does not read it: one line of options may be tried with every method.
 void set_option(Editor& editor, const std::string& key, const std::string& value) {
     editor.set_option(key, value);
-    const auto is_used = [&](const MethodInfo& method) { return method.name == editor.method(); };
-    if (!reads(*std::ranges::find_if(method_table(), is_used), key))
+    if (!reads_option(editor, key))
         std::cerr << "chebnet: method " << editor.method() << " does not read option " << key << '\n';
 }
 
@@ -73,6 +76,29 @@ void set_option(Editor& editor, const std::string& setting) {
 std::string guide_mode_number(const std::string& name) {
     const std::vector<std::string> names{"off", "near", "on", "outside"};
     return std::to_string(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+/// As with options, says so where the method does nothing with it.
+void set_guide(Editor& editor, const SolverArguments& arguments) {
+    if (!reads_option(editor, "guide_mode"))
+        std::cerr << "chebnet: method " << editor.method() << " does nothing with a guide\n";
+    editor.set_guide(load_guide(arguments.guide, arguments.net.repair));
+}
+
+/// Another solve, so many milliseconds after the first.
+void go_on_with(SolveReport& solved, const SolveReport& next, double pause_ms) {
+    const int iterations = solved.trace.empty() ? 0 : solved.trace.back().iteration;
+    const double before_ms = solved.milliseconds + pause_ms;
+    for (TraceRow row : next.trace) {
+        row.iteration += iterations;
+        row.total_ms += before_ms;
+        solved.trace.push_back(row);
+    }
+    solved.iterations += next.iterations;
+    solved.milliseconds += next.milliseconds;
+    solved.factorisation_ms += next.factorisation_ms;
+    solved.max_deviation = next.max_deviation;
+    solved.to_rest = next.to_rest;
 }
 
 }  // namespace
@@ -142,20 +168,21 @@ Editor open_editor(const SolverArguments& arguments) {
     if (!arguments.length_scale.empty()) set_option(editor, "length_scale", arguments.length_scale);
     if (!arguments.guide_mode.empty()) set_option(editor, "guide_mode", guide_mode_number(arguments.guide_mode));
     for (const std::string& setting : arguments.settings) set_option(editor, setting);
-    if (!arguments.guide.empty()) editor.set_guide(load_guide(arguments.guide, arguments.net.repair));
+    if (!arguments.guide.empty()) set_guide(editor, arguments);
     return editor;
 }
 
-SolveReport with_lengths_adapted(const SolverArguments& arguments, Editor& editor, SolveReport solved) {
-    if (!arguments.adapts_lengths || keeps_lengths(solved.status)) return solved;
+AdaptedSolve with_lengths_adapted(const SolverArguments& arguments, Editor& editor, SolveReport solved) {
+    if (!arguments.adapts_lengths || keeps_lengths(solved.status)) return {solved};
     LengthAdapter adapter(editor, {});
-    solved.status = adapter.solve().status;
-    if (solved.status != Status::converged) return solved;
+    const AdaptReport search = adapter.solve();
+    solved.status = search.status;
+    if (solved.status != Status::converged) return {solved, search};
     editor.set_state(adapter.state());
     const SolveReport at_rest = editor.solve();
     if (keeps_lengths(at_rest.status)) solved.status = at_rest.status;
-    solved.to_rest = at_rest.to_rest;
-    return solved;
+    go_on_with(solved, at_rest, search.milliseconds);
+    return {solved, search};
 }
 
 void write_results(const SolverArguments& arguments, const Editor& editor, std::string_view trace_csv) {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "edit/editor.h"
+#include "edit/length_adapter.h"
 #include "net_argument.h"
 #include "net_output.h"
 
@@ -27,6 +29,12 @@ struct SolverArguments {
     std::string rods;   ///< likewise
 };
 
+/// What was solved and, if lengths were adapted then, the search for them.
+struct AdaptedSolve {
+    SolveReport solve;  ///< with how all of it ended, and the iterations, time and trace of the solve after the search
+    std::optional<AdaptReport> search{};
+};
+
 /// Declares the arguments and lists methods and options in the command's help.
 void add_solver_arguments(CLI::App& command, SolverArguments& arguments);
 
@@ -37,8 +45,8 @@ std::string usual_methods();
 Editor open_editor(const SolverArguments& arguments);
 
 /// If that was asked for and the net does not keep its lengths: the smallest scale of them with which it meets the
-/// handles, see LengthAdapter. What was solved, with how that ended.
-SolveReport with_lengths_adapted(const SolverArguments& arguments, Editor& editor, SolveReport solved);
+/// handles, see LengthAdapter.
+AdaptedSolve with_lengths_adapted(const SolverArguments& arguments, Editor& editor, SolveReport solved);
 
 /// Writes the files that were asked for. Throws Error file_access, too_large.
 void write_results(const SolverArguments& arguments, const Editor& editor, std::string_view trace_csv);

@@ -62,6 +62,7 @@ Json surface_report(const SurfaceReport& surface) {
 
 Json net_on_surface_report(const Net& net, const DrapeReport& measured) {
     const double length = measured.length;
+    const auto of_cells = [&](double number) { return measured.whole_cells > 0 ? Json(number) : Json(nullptr); };
     return {{"vertices", net.vertex_count()},
             {"edges", net.edge_count()},
             {"cells", net.face_count()},
@@ -74,10 +75,10 @@ Json net_on_surface_report(const Net& net, const DrapeReport& measured) {
             {"largest_distance", measured.largest_distance},
             {"mean_distance_in_lengths", measured.mean_distance / length},
             {"largest_distance_in_lengths", measured.largest_distance / length},
-            {"smallest_corner_angle_degrees", measured.smallest_angle * 180 / std::numbers::pi},
-            {"largest_corner_angle_degrees", measured.largest_angle * 180 / std::numbers::pi},
-            {"part_of_cells_sheared_over_15_degrees", measured.sheared},
-            {"part_of_cells_sheared_over_30_degrees", measured.much_sheared},
+            {"smallest_corner_angle_degrees", of_cells(measured.smallest_angle * 180 / std::numbers::pi)},
+            {"largest_corner_angle_degrees", of_cells(measured.largest_angle * 180 / std::numbers::pi)},
+            {"part_of_cells_sheared_over_15_degrees", of_cells(measured.sheared)},
+            {"part_of_cells_sheared_over_30_degrees", of_cells(measured.much_sheared)},
             {"folds_over_60_degrees", measured.folds},
             {"rods", measured.rods},
             {"rod_length", measured.rod_length}};

@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "drape/draped_net.h"
 #include "drape/opened_corners.h"
-#include "surface/height.h"
+#include "drape/slits.h"
 
 namespace chebnet {
 
@@ -21,28 +21,35 @@ constexpr double k_highest = 10;  // in edge lengths
 // Corners to begin with, as a part of the limit: the next where one covers no more than the net that locks.
 constexpr double k_sharper[] = {0.5, 0.75};
 
-std::vector<DrapedVertex> draped_vertices(const Guide& guide, const Positions& positions) {
+/// `faces`: of the surface, near the vertices and on their side of slits.
+std::vector<DrapedVertex> draped_vertices(const Compass& compass, const Positions& positions,
+                                          const std::vector<int>& faces) {
     std::vector<DrapedVertex> vertices;
-    for (const auto& position : positions.colwise()) {
-        const int guess = vertices.empty() ? 0 : vertices.back().at.face;
-        const Height height = height_of(guide.surface(), guide.tree(), position, guess);
-        vertices.push_back({position, height.at, height.normal, height.overhang});
-    }
+    for (const auto& position : positions.colwise())
+        vertices.push_back(compass.vertex_at(position, faces[vertices.size()]));
     return vertices;
 }
 
-/// The cells that are near enough and within the limit, joined to the seed.
-std::vector<std::array<int, 4>> good_cells(const Net& net, const Positions& positions, const Eigen::VectorXd& heights,
+bool is_parted(const Compass& compass, const std::vector<DrapedVertex>& vertices, std::span<const int> face) {
+    for (std::size_t k = 0; k < face.size(); ++k)
+        if (compass.is_slit_between(vertices[face[k]], vertices[face[(k + 1) % face.size()]])) return true;
+    return false;
+}
+
+/// The cells that are near enough, within the limit and across no slit, joined to the seed.
+std::vector<std::array<int, 4>> good_cells(const Net& net, const Compass& compass,
+                                           const std::vector<DrapedVertex>& vertices, const Eigen::VectorXd& heights,
                                            double most_height, double limit) {
     const double largest_cosine = std::cos(limit);
     std::vector<std::vector<int>> good;
     for (int f = 0; f < net.face_count(); ++f) {
         const std::span<const int> face = net.faces()[f];
         std::array<Eigen::Vector3d, 4> corners;
-        std::transform(face.begin(), face.end(), corners.begin(), [&](int v) { return positions.col(v); });
+        std::transform(face.begin(), face.end(), corners.begin(), [&](int v) { return vertices[v].position; });
         const bool is_near =
             std::all_of(face.begin(), face.end(), [&](int v) { return std::abs(heights[v]) <= most_height; });
-        if (is_near && keeps_limit(corners, largest_cosine)) good.emplace_back(face.begin(), face.end());
+        if (is_near && keeps_limit(corners, largest_cosine) && !is_parted(compass, vertices, face))
+            good.emplace_back(face.begin(), face.end());
     }
     std::vector<std::array<int, 4>> cells;
     for (const std::vector<int>& face : joined_to_seed(good)) cells.push_back({face[0], face[1], face[2], face[3]});
@@ -60,13 +67,17 @@ std::optional<Drape> opened_drape(const Guide& guide, const DrapeOptions& option
     const Drape laid = drape(guide.surface(), guide.tree(), to_open);
     const std::optional<Positions> positions = with_opened_corners(laid.net, guide, options.smallest_angle);
     if (!positions) return std::nullopt;
-    const std::vector<DrapedVertex> vertices = draped_vertices(guide, *positions);
-    const std::vector<std::array<int, 4>> cells = good_cells(laid.net, *positions, heights_over(guide, *positions),
-                                                             most_height * options.length, options.smallest_angle);
+    std::optional<Slits> slits;
+    if (options.slits) slits.emplace(guide.surface(), guide.tree(), options.length);
+    const bool has_slits = slits && !slits->none();
+    const Compass compass(guide.surface(), guide.tree(), options.length, has_slits ? &*slits : nullptr);
+    const std::vector<DrapedVertex> vertices = draped_vertices(compass, *positions, laid.faces);
+    const std::vector<std::array<int, 4>> cells =
+        good_cells(laid.net, compass, vertices, heights_over(guide, *positions), most_height * options.length,
+                   options.smallest_angle);
     BorderCut left;
     if (options.border == DrapeOptions::Border::cut)
-        left = cut_at_border(Compass(guide.surface(), guide.tree(), options.length), options.smallest_angle, vertices,
-                             cells);
+        left = cut_at_border(compass, options.smallest_angle, vertices, cells);
     else
         for (const auto& cell : cells) left.faces.emplace_back(cell.begin(), cell.end());
     if (left.faces.empty()) return std::nullopt;
@@ -85,7 +96,7 @@ Drape bridged_drape(const std::shared_ptr<const Guide>& guide, const DrapeOption
     Drape locked = drape(guide->surface(), guide->tree(), options);
     if (locked.locked == 0) return locked;
     const auto coverage = [&](const Drape& laid) {
-        return measure_drape(guide->surface(), guide->tree(), laid.net).coverage;
+        return measure_drape(guide->surface(), guide->tree(), laid.net, options.length).coverage;
     };
     const double enough = coverage(locked);
     for (const double sharper : k_sharper) {

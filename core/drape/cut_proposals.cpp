@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "drape/drape_pieces.h"
+#include "drape/sample_points.h"
 #include "surface/geodesics.h"
 
 namespace chebnet {
@@ -17,7 +18,6 @@ namespace chebnet {
 namespace {
 
 constexpr int k_cut_trial_cells = 1000;
-constexpr int k_cut_samples = 2000;
 constexpr int k_places = 6;
 // Of the surface's size: over what faults are gathered, and how far places keep apart.
 constexpr double k_gathered = 0.08, k_apart = 0.2;
@@ -76,8 +76,8 @@ struct Faults {
 Faults faults_of(const Surface& surface, const Net& net, double length) {
     const Cells cells = cells_of(net);
     Faults faults;
-    const int stride = 1 + (surface.face_count() - 1) / k_cut_samples;
-    for (int f = 0; f < surface.face_count(); f += stride) faults.at.push_back({f, Eigen::Vector3d::Constant(1. / 3)});
+    const int stride = 1 + (surface.face_count() - 1) / k_samples;
+    for (const SamplePoint& sample : sample_points(surface, stride)) faults.at.push_back(sample.at);
     faults.positions.resize(3, std::ssize(faults.at));
     faults.fault.resize(std::ssize(faults.at));
     for (Eigen::Index k = 0; k < std::ssize(faults.at); ++k) {

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "net/net.h"
@@ -54,9 +55,10 @@ struct Drape {
     Net net;
     Eigen::Matrix2Xi places;  ///< 2×V, the steps from the seed to each vertex along the first and the second family; to
                               ///< the end of a rod that was cut, those to the vertex beyond the border
-    int locked = 0;    ///< its corners would have been too sharp or too blunt, or no such point exists
-    int met = 0;       ///< it would have stood on the net, or not one edge away from all its neighbours
-    int cut_ends = 0;  ///< of rods at the boundary curve, each behind a shorter edge
+    std::vector<int> faces;  ///< V, of the surface, the triangle at each vertex: on its side of slits
+    int locked = 0;          ///< its corners would have been too sharp or too blunt, or no such point exists
+    int met = 0;             ///< it would have stood on the net, or not one edge away from all its neighbours
+    int cut_ends = 0;        ///< of rods at the boundary curve, each behind a shorter edge
     DrapeOptions::Arms arms = DrapeOptions::Arms::geodesic;  ///< those it has: geodesic ones also where others that
                                                              ///< were to shear less would not have made a better net
 };
@@ -84,25 +86,29 @@ inline constexpr int k_most_draped_vertices = 2'000'000;
 /// Shear, radians: at 15° programs for draping cloth begin to warn, at 30° they call it the most that cloth bears.
 inline constexpr double k_shear = std::numbers::pi / 12, k_much_shear = std::numbers::pi / 6;
 
+// In what follows `length` is L, where it is known: a net of few cells, most of whose edges a border has cut, does not
+// say it.
+
 /// The part of a net's whole cells (see DrapeReport) with a corner farther than `shear` (radians) from a right angle.
-double part_sheared(const Net& net, double shear);
+double part_sheared(const Net& net, double shear, std::optional<double> length = {});
 
 /// How far the corner of each whole cell that is farthest from a right angle is from it, radians, root mean square.
-double rms_shear(const Net& net);
+double rms_shear(const Net& net, std::optional<double> length = {});
 
-/// The part of a surface's area that is within half an edge of a net, by the middles of some of its triangles, of two
-/// thousand at the least if there are so many: a fast guess at the coverage of DrapeReport.
-double sampled_coverage(const Surface& surface, const Net& net);
+/// The part of a surface's area that is within half an edge of a net, by about two thousand samples or some more (see
+/// sample_points): a fast guess at the coverage of DrapeReport.
+double sampled_coverage(const Surface& surface, const Net& net, std::optional<double> length = {});
 
 /// How well a net lies on a surface. Its whole cells are those that no border has cut: quads with edges of length L.
 struct DrapeReport {
-    double length;                           ///< L, that of most edges
+    double length;                           ///< L, that of most edges; if none is, as given, else their mean
     double coverage;                         ///< part of the surface's area that is within L / 2 of the net
     double open_border;                      ///< length of the net's border that is not beside the surface's: of gaps,
                                              ///< and of both sides of slits, which coverage counts as covered
     int gaps;                                ///< how many stretches of border that is; a whole loop is one
     double mean_distance, largest_distance;  ///< of vertices and middles of edges from the surface, beyond its border
                                              ///< from where it would go on; in the surface's unit
+    int whole_cells;                         ///< without any, the next four say nothing
     double smallest_angle, largest_angle;    ///< of corners of whole cells, radians
     double sheared, much_sheared;  ///< parts of the whole cells with a corner more than k_shear, k_much_shear from
                                    ///< a right angle
@@ -113,6 +119,7 @@ struct DrapeReport {
 };
 
 /// Takes about a microsecond for each sample of the surface, of which there are at least as many as triangles.
-DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const Net& net);
+DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const Net& net,
+                          std::optional<double> length = {});
 
 }  // namespace chebnet

@@ -72,10 +72,13 @@ DrapeOptions beginning_on(const Guide& piece, double length) {
 DrapeOptions options_on(const Guide& piece, const PiecesOptions& options, const Eigen::Vector3d* seed) {
     const DrapeOptions suggested = beginning_on(piece, options.drape.length);
     DrapeOptions own = options.drape;
-    own.seed = suggested.seed;
+    own.slits = true;  // trials keep to them, too
+    own.seed = seed != nullptr ? *seed : suggested.seed;
     if (!options.has_direction) own.direction = suggested.direction;
-    if (options.best) own = propose_drapes(piece.surface(), piece.tree(), own).front().options;
-    if (seed != nullptr) own.seed = *seed;
+    if (options.best && seed == nullptr)
+        own = propose_drapes(piece.surface(), piece.tree(), own).front().options;
+    else if (options.best && !options.has_direction)
+        own = with_best_direction(piece.surface(), piece.tree(), own);
     if (options.has_direction) own.direction = options.drape.direction;
     return own;
 }
@@ -125,7 +128,7 @@ DrapedPiece draped_from(int number, const std::shared_ptr<const Guide>& piece, D
     const bool has_curve = own.arms == DrapeOptions::Arms::curve;
     if (has_curve && !is_on(*piece, own.along, k_on_piece * own.length)) own.arms = DrapeOptions::Arms::geodesic;
     Drape draped = leave > 0 ? bridged_drape(piece, own, leave) : drape(piece->surface(), piece->tree(), own);
-    const DrapeReport report = measure_drape(piece->surface(), piece->tree(), draped.net);
+    const DrapeReport report = measure_drape(piece->surface(), piece->tree(), draped.net, own.length);
     return {number, piece->surface().area(), own, std::move(draped), report};
 }
 
@@ -192,7 +195,7 @@ DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& wanted) {
         throw refused ? *refused : Error(ErrorCode::bad_option, "no piece has all of the curve");
     std::stable_partition(draped.begin(), draped.end(), [&](const DrapedPiece& piece) { return piece.piece == first; });
     Net net = side_by_side(draped);
-    const DrapeReport report = measure_drape(surface, SurfaceTree(surface), net);
+    const DrapeReport report = measure_drape(surface, SurfaceTree(surface), net, options.drape.length);
     return {std::move(net), std::move(draped), std::move(bare), report};
 }
 

@@ -4,14 +4,17 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "drape/drape.h"
+#include "drape/sample_points.h"
 #include "net/measures.h"
 #include "net/rods.h"
 #include "net/topology.h"
 #include "net/triangulation.h"
 #include "surface/guide.h"
+#include "surface/middles.h"
 #include "surface/segment.h"
 
 namespace chebnet {
@@ -20,7 +23,6 @@ namespace {
 
 // The surface is sampled in pieces no wider than this fraction of an edge.
 constexpr double k_sample = 0.25;
-constexpr int k_samples = 2000;  // for a guess
 constexpr int k_most_cuts = 64;  // of one side of a triangle
 // In L, of what is beside the surface's border: a net that ends inside it is off by a cell's diagonal at most.
 constexpr double k_beside_border = 1.5;
@@ -33,21 +35,21 @@ void for_each_sample(const Surface& surface, double width, Visit visit) {
         for (int side = 3 * f; side < 3 * f + 3; ++side) longest = std::max(longest, surface.length_of(side));
         const int n = static_cast<int>(std::clamp(std::ceil(longest / width), 1.0, static_cast<double>(k_most_cuts)));
         const double area = surface.areas()[f] / (n * n);
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; i + j < n; ++j) {
-                const auto visit_at = [&](double u, double v) {
-                    visit(surface.position_at({f, {1 - (u + v) / n, u / n, v / n}}), area);
-                };
-                visit_at(i + 1. / 3, j + 1. / 3);
-                if (i + j + 1 < n) visit_at(i + 2. / 3, j + 2. / 3);
-            }
+        for_each_middle(n, [&](const Eigen::Vector3d& weights) { visit(surface.position_at({f, weights}), area); });
     }
 }
 
-/// The faces as triangles that share no vertices: cut, two of them may have an edge in common with a third.
-Surface loose_triangles(const Net& net) {
+/// The faces as triangles. One without area covers nothing: a quad may lie folded on itself.
+std::vector<Triangle> triangles_with_area(const Net& net) {
+    std::vector<Triangle> triangles = triangulated(net.rest_positions(), net.faces());
+    std::erase_if(triangles,
+                  [&](const Triangle& triangle) { return area_vector(net.rest_positions(), triangle).isZero(0); });
+    return triangles;
+}
+
+/// Triangles that share no vertices: of faces that were cut, two may have an edge in common with a third.
+Surface loose(const Net& net, const std::vector<Triangle>& triangles) {
     Mesh mesh;
-    const std::vector<Triangle> triangles = triangulated(net.rest_positions(), net.faces());
     mesh.positions.resize(3, 3 * std::ssize(triangles));
     for (int t = 0; t < std::ssize(triangles); ++t) {
         for (int k = 0; k < 3; ++k) mesh.positions.col(3 * t + k) = net.rest_positions().col(triangles[t][k]);
@@ -59,7 +61,9 @@ Surface loose_triangles(const Net& net) {
 /// What is within half an edge of a net.
 class Cover {
 public:
-    Cover(const Net& net, double length) : m_triangles(loose_triangles(net)), m_tree(m_triangles), m_length(length) {}
+    /// `triangles`: of the net, at least one.
+    Cover(const Net& net, const std::vector<Triangle>& triangles, double length)
+        : m_triangles(loose(net, triangles)), m_tree(m_triangles), m_length(length) {}
 
     bool covers(const Eigen::Vector3d& point) {
         SurfaceTree::Nearest near = m_tree.nearest_in(m_guess, point);  // which answers most
@@ -76,7 +80,9 @@ private:
 };
 
 double coverage(const Surface& surface, const Net& net, double length) {
-    Cover cover(net, length);
+    const std::vector<Triangle> triangles = triangles_with_area(net);
+    if (triangles.empty()) return 0;
+    Cover cover(net, triangles, length);
     double covered = 0;
     for_each_sample(surface, k_sample * length, [&](const Eigen::Vector3d& point, double area) {
         if (cover.covers(point)) covered += area;
@@ -135,13 +141,14 @@ void add_open_border(const Surface& surface, const SurfaceTree& tree, const Net&
     report.gaps = runs_of(is_open, topology);
 }
 
-/// L: those at a border may be cut.
-double length_of_most(const Net& net) { return shared_length(net).value_or(net.mean_length()); }
+/// L: those at a border may be cut. `known`: where these are most, as of a net of few cells, the net does not say it.
+double length_of_most(const Net& net, std::optional<double> known) {
+    return shared_length(net).value_or(known.value_or(net.mean_length()));
+}
 
 /// The smallest and the largest corner of each whole cell.
-std::vector<AngleRange> whole_cells(const Net& net) {
+std::vector<AngleRange> whole_cells(const Net& net, double length) {
     const Positions& x = net.rest_positions();
-    const double length = length_of_most(net);
     std::vector<AngleRange> cells;
     for (int f = 0; f < net.face_count(); ++f) {
         const std::span<const int> face = net.faces()[f];
@@ -181,29 +188,33 @@ double part_sheared(const std::vector<AngleRange>& cells, double shear) {
 
 }  // namespace
 
-double sampled_coverage(const Surface& surface, const Net& net) {
-    Cover cover(net, length_of_most(net));
-    const int stride = std::max(1, surface.face_count() / k_samples);
+double sampled_coverage(const Surface& surface, const Net& net, std::optional<double> length) {
+    const std::vector<Triangle> triangles = triangles_with_area(net);
+    if (triangles.empty()) return 0;
+    Cover cover(net, triangles, length_of_most(net, length));
     double covered = 0, area = 0;
-    for (int f = 0; f < surface.face_count(); f += stride) {
-        area += surface.areas()[f];
-        if (cover.covers(surface.position_at({f, Eigen::Vector3d::Constant(1. / 3)}))) covered += surface.areas()[f];
+    for (const SamplePoint& sample : sample_points(surface, std::max(1, surface.face_count() / k_samples))) {
+        area += sample.area;
+        if (cover.covers(surface.position_at(sample.at))) covered += sample.area;
     }
     return area > 0 ? covered / area : 0;
 }
 
-double part_sheared(const Net& net, double shear) { return part_sheared(whole_cells(net), shear); }
+double part_sheared(const Net& net, double shear, std::optional<double> length) {
+    return part_sheared(whole_cells(net, length_of_most(net, length)), shear);
+}
 
-double rms_shear(const Net& net) {
-    const std::vector<AngleRange> cells = whole_cells(net);
+double rms_shear(const Net& net, std::optional<double> length) {
+    const std::vector<AngleRange> cells = whole_cells(net, length_of_most(net, length));
     double sum = 0;
     for (const AngleRange& corners : cells) sum += shear_of(corners) * shear_of(corners);
     return cells.empty() ? 0 : std::sqrt(sum / static_cast<double>(cells.size()));
 }
 
-DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const Net& net) {
+DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const Net& net,
+                          std::optional<double> length) {
     DrapeReport report{};
-    report.length = length_of_most(net);
+    report.length = length_of_most(net, length);
     const Positions& x = net.rest_positions();
     const Topology topology(net);
     const GuideDistance distance = distance_to(surface, tree, net, x);
@@ -211,7 +222,8 @@ DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const
     report.largest_distance = distance.largest;
     report.coverage = coverage(surface, net, report.length);
     add_open_border(surface, tree, net, topology, report);
-    const std::vector<AngleRange> cells = whole_cells(net);
+    const std::vector<AngleRange> cells = whole_cells(net, report.length);
+    report.whole_cells = static_cast<int>(std::ssize(cells));
     report.smallest_angle = std::numbers::pi;
     for (const AngleRange& corners : cells) {
         report.smallest_angle = std::min(report.smallest_angle, corners.smallest);

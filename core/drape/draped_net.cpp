@@ -74,15 +74,22 @@ Drape draped_net(const std::vector<DrapedVertex>& vertices, const Eigen::Matrix2
     }
     Positions positions(3, std::ssize(kept));
     Eigen::Matrix2Xi kept_places(2, std::ssize(kept));
+    std::vector<int> at;
     int cut_ends = 0;
     for (Eigen::Index k = 0; k < std::ssize(kept); ++k) {
         const std::size_t v = kept[static_cast<std::size_t>(k)];
         const bool is_end = v >= vertices.size();
         cut_ends += is_end;
-        positions.col(k) = is_end ? cut.ends[v - vertices.size()].vertex.position : vertices[v].position;
+        const DrapedVertex& vertex = is_end ? cut.ends[v - vertices.size()].vertex : vertices[v];
+        positions.col(k) = vertex.position;
+        at.push_back(vertex.at.face);
         kept_places.col(k) = places.col(is_end ? cut.ends[v - vertices.size()].beyond : static_cast<Eigen::Index>(v));
     }
-    return {Net(std::move(positions), std::move(faces), RestLengths::automatic), std::move(kept_places), 0, 0,
+    return {Net(std::move(positions), std::move(faces), RestLengths::automatic),
+            std::move(kept_places),
+            std::move(at),
+            0,
+            0,
             cut_ends};
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "drape/sample_points.h"
 #include "net/triangulation.h"
 #include "surface/guide.h"
 
@@ -19,18 +20,17 @@ constexpr int k_seeds = 8;
 constexpr int k_directions = 6;  // over a right angle: after that a net of two like families repeats itself
 constexpr int k_trial_cells = 1000;
 constexpr std::size_t k_finals = 4;  // how many are tried with the edges asked for
-constexpr int k_most_samples = 2000;
 constexpr int k_lloyd_steps = 6;
 // A much sheared cell counts as so much of an uncovered one, and so does the shear of all of them, in radians, squared,
 // which decides among nets that are nowhere much sheared, and a cell one edge length off the surface.
 constexpr double k_much_shear_weight = 0.05, k_shear_weight = 0.01, k_distance_weight = 0.2;
 
-/// Of triangles all over the surface, their middles.
+/// All over the surface.
 Positions samples_of(const Surface& surface) {
-    const int stride = 1 + (surface.face_count() - 1) / k_most_samples;
-    Positions samples(3, (surface.face_count() + stride - 1) / stride);
-    for (int k = 0; k < samples.cols(); ++k)
-        samples.col(k) = surface.position_at({k * stride, Eigen::Vector3d::Constant(1. / 3)});
+    const std::vector<SamplePoint> points = sample_points(surface, 1 + (surface.face_count() - 1) / k_samples);
+    Positions samples(3, std::ssize(points));
+    for (std::size_t k = 0; k < points.size(); ++k)
+        samples.col(static_cast<Eigen::Index>(k)) = surface.position_at(points[k].at);
     return samples;
 }
 
@@ -111,8 +111,9 @@ std::optional<DrapeProposal> tried(const Surface& surface, const SurfaceTree& tr
     trial.arms = arms;
     try {
         const Net net = drape(surface, tree, trial).net;
-        return DrapeProposal{options, std::min(1.0, area_of(net) / surface.area()), part_sheared(net, k_much_shear),
-                             rms_shear(net), distance_of(surface, tree, net, length)};
+        return DrapeProposal{options, std::min(1.0, area_of(net) / surface.area()),
+                             part_sheared(net, k_much_shear, length), rms_shear(net, length),
+                             distance_of(surface, tree, net, length)};
     } catch (const Error&) {
         return std::nullopt;
     }
@@ -125,8 +126,9 @@ std::optional<DrapeProposal> finished(const Surface& surface, const SurfaceTree&
     last.arms = arms;
     try {
         const Net net = drape(surface, tree, last).net;
-        return DrapeProposal{options, sampled_coverage(surface, net), part_sheared(net, k_much_shear), rms_shear(net),
-                             distance_of(surface, tree, net, options.length)};
+        const double length = options.length;
+        return DrapeProposal{options, sampled_coverage(surface, net, length), part_sheared(net, k_much_shear, length),
+                             rms_shear(net, length), distance_of(surface, tree, net, length)};
     } catch (const Error&) {
         return std::nullopt;
     }
@@ -178,6 +180,19 @@ std::vector<DrapeProposal> propose_drapes(const Surface& surface, const SurfaceT
         if (const auto last = finished(surface, tree, proposals[k].options, arms)) proposals[k] = *last;
     rank(proposals);
     return proposals;
+}
+
+DrapeOptions with_best_direction(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {
+    check_drape(surface, options);
+    const SurfaceTree::Nearest seed = tree.nearest(options.seed);
+    for (const DrapeOptions::Border border : {DrapeOptions::Border::inside, options.border}) {
+        const auto best = best_at(surface, tree, options, seed, border);
+        if (!best) continue;
+        DrapeOptions directed = options;
+        directed.direction = best->options.direction;
+        return directed;
+    }
+    return options;
 }
 
 }  // namespace chebnet

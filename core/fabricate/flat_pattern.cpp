@@ -10,6 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "net/measures.h"
+#include "net/rods.h"
+
 namespace chebnet {
 
 namespace {
@@ -37,13 +40,16 @@ public:
                 std::array<int, 2>& both = m_faces_of_edge[m_edge[faces.start[f] + k]];
                 both[both[0] == -1 ? 0 : 1] = f;
             }
-        double whole = 0;
+        double longest = 0;
         for (int e = 0; e < net.edge_count(); ++e)
-            if (is_between(e)) whole = std::max(whole, net.rest_lengths()[e]);
-        m_has_between = whole > 0;
-        m_lengths = net.rest_lengths() / (m_has_between ? whole : net.rest_lengths().maxCoeff());
+            if (is_between(e)) longest = std::max(longest, net.rest_lengths()[e]);
+        m_has_between = longest > 0;
+        if (!m_has_between) longest = net.rest_lengths().maxCoeff();
+        const std::optional<double> shared = shared_length(net);
+        m_lengths = net.rest_lengths() / shared.value_or(longest);
+        const double tolerance = shared ? whole_edge_tolerance(net, topology, *shared) : 0;
         for (double& length : m_lengths)
-            if (std::abs(length - 1) <= k_equal) length = 1;
+            if (std::abs(length - 1) <= std::max(k_equal, tolerance)) length = 1;
     }
 
     int count(int face) const { return static_cast<int>(m_net.faces()[face].size()); }

@@ -38,7 +38,7 @@ std::string rod_table(const Net& net, const Topology& topology, const Positions&
         table += std::to_string(line.size() - 1);
         table += ',';
         table += exact_text(marks.back());
-        table += line.front() == line.back() ? ",1" : ",0";
+        table += is_closed_rod(topology, line) ? ",1" : ",0";
         append(table, line, [](int vertex) { return std::to_string(vertex); });
         append(table, marks, exact_text);
         table += '\n';

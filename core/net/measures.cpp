@@ -47,24 +47,6 @@ void for_each_corner(const Net& net, const Positions& x, Visit visit) {
     }
 }
 
-/// Whether a face has both neighbours a and b next to the vertex whose corners are given.
-bool share_face(const std::vector<std::pair<int, int>>& corners, int a, int b) {
-    return std::any_of(corners.begin(), corners.end(), [&](const std::pair<int, int>& corner) {
-        return (corner.first == a && corner.second == b) || (corner.first == b && corner.second == a);
-    });
-}
-
-/// V, for each vertex the pairs of neighbours (next, previous) of its face corners.
-std::vector<std::vector<std::pair<int, int>>> corners_by_vertex(const Net& net) {
-    std::vector<std::vector<std::pair<int, int>>> corners(static_cast<std::size_t>(net.vertex_count()));
-    for (int f = 0; f < net.face_count(); ++f) {
-        const std::span<const int> face = net.faces()[f];
-        const std::size_t n = face.size();
-        for (std::size_t k = 0; k < n; ++k) corners[face[k]].emplace_back(face[(k + 1) % n], face[(k + n - 1) % n]);
-    }
-    return corners;
-}
-
 }  // namespace
 
 Eigen::VectorXd edge_ratios(const Net& net, const Positions& positions) {
@@ -202,25 +184,24 @@ Eigen::VectorXd vertex_corner_angles(const Net& net, const Positions& positions)
 }
 
 double bend(const Net& net, const Topology& topology, const Positions& positions) {
-    const auto corners = corners_by_vertex(net);
+    const std::vector<int> straight_on = topology.straight_on(InwardCorners::pass);
     const Positions& rest = net.rest_positions();
     double sum = 0;
     long pairs = 0;
-    for (int v = 0; v < net.vertex_count(); ++v) {
-        if (topology.valence(v) != 3 && topology.valence(v) != 4) continue;
+    for (int v = 0, first = 0; v < net.vertex_count(); first += topology.valence(v++)) {
         const std::span<const int> neighbours = topology.neighbours(v), edges = topology.incident_edges(v);
-        for (std::size_t i = 0; i < neighbours.size(); ++i)
-            for (std::size_t j = i + 1; j < neighbours.size(); ++j) {
-                const int a = neighbours[i], b = neighbours[j];
-                if (share_face(corners[v], a, b)) continue;
-                const double length = (net.rest_lengths()[edges[i]] + net.rest_lengths()[edges[j]]) / 2;
-                const auto curvature = [&](const Positions& x) {
-                    return (x.col(a) - 2 * x.col(v) + x.col(b)).norm() / length;
-                };
-                const double change = curvature(positions) - curvature(rest);
-                sum += change * change;
-                ++pairs;
-            }
+        for (int i = 0; i < topology.valence(v); ++i) {
+            const int j = straight_on[first + i] - first;
+            if (j <= i) continue;
+            const int a = neighbours[i], b = neighbours[j];
+            const double length = (net.rest_lengths()[edges[i]] + net.rest_lengths()[edges[j]]) / 2;
+            const auto curvature = [&](const Positions& x) {
+                return (x.col(a) - 2 * x.col(v) + x.col(b)).norm() / length;
+            };
+            const double change = curvature(positions) - curvature(rest);
+            sum += change * change;
+            ++pairs;
+        }
     }
     return pairs > 0 ? std::sqrt(sum / static_cast<double>(pairs)) : 0;
 }

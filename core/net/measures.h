@@ -30,9 +30,9 @@ struct LengthRange {
 };
 LengthRange edge_length_range(const Net& net, const Positions& positions);
 
-/// A part of L: an edge nearer to it than that has this length. Those of a net whose dL is below 1e-9 are, by some
-/// 3e-5.
-inline constexpr double k_whole_edge = 1e-4;
+/// A part of L: an edge nearer to it than that has this length. Such are those of a net whose dL is below
+/// k_chebyshev_deviation: a cut net that was edited and saved opens as what it is, too.
+inline constexpr double k_whole_edge = 1e-3;
 
 /// L, the rest length of more than half of all edges, if there is one: where a border has cut the net, edges there have
 /// others.
@@ -68,9 +68,9 @@ std::vector<double> fold_angles(const Net& net, const Positions& positions);
 /// there. Of quads only, if there are any: the other faces are where a border has cut them, or at patches.
 Eigen::VectorXd vertex_corner_angles(const Net& net, const Positions& positions);
 
-/// Fairness ("bend"): root mean square, over pairs of edges a–x–b at a vertex of valence 3 or 4 that share no face, of
-/// the change from rest of ‖x_a − 2x + x_b‖ / L, where L is the mean rest length of the two edges. 0 for a rigid
-/// motion.
+/// Fairness ("bend"): root mean square, over pairs of edges a–x–b through which a net line goes straight on
+/// (Topology::straight_on(), also at inward corners), of the change from rest of ‖x_a − 2x + x_b‖ / L, where L is the
+/// mean rest length of the two edges. 0 for a rigid motion.
 double bend(const Net& net, const Topology& topology, const Positions& positions);
 
 }  // namespace chebnet

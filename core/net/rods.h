@@ -7,9 +7,19 @@
 
 namespace chebnet {
 
-/// The net lines that a rod is laid along, each a list of vertices as those of Topology::net_lines(): all but the lines
-/// along a border that has cut the net, whose edges are not of the length that others share (shared_length()).
+/// The lines that a rod is laid along, each a list of vertices: those of Topology::net_lines() that pass inward
+/// corners, but for rims, the edges along a border that has cut the net. Where a rod and a rim are on one line the rod
+/// ends. On the boundary an edge of the length that others share (shared_length()) is of a rod, unless it leads across
+/// a cell from the end of one cut rod to that of another; one of another length is of a rim, unless it goes on straight
+/// from a rod, of which it is then what a border left of the last edge.
 std::vector<std::vector<int>> rods(const Net& net, const Topology& topology);
+
+/// Of one of them: it ends where it began, and goes straight on there.
+bool is_closed_rod(const Topology& topology, const std::vector<int>& rod);
+
+/// How far whole edges are from the length `shared` with others, as a part of it, by those that no border can have cut:
+/// next to nothing where a net was laid, up to k_whole_edge where it was edited. What a border cuts off may be less.
+double whole_edge_tolerance(const Net& net, const Topology& topology, double shared);
 
 /// Whether a border has cut the net: its edges share a length, but for some that end at the border, where some of its
 /// faces are no quads, or lines of whole edges end with a shorter one.

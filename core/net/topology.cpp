@@ -80,8 +80,8 @@ std::vector<std::vector<int>> Topology::boundary_loops() const {
     return loops;
 }
 
-std::vector<std::vector<int>> Topology::net_lines() const {
-    const std::vector<int> across = slots_across();
+std::vector<std::vector<int>> Topology::net_lines(InwardCorners corners) const {
+    const std::vector<int> across = straight_on(corners);
     std::vector<bool> walked(static_cast<std::size_t>(m_net.edge_count()), false);
     std::vector<std::vector<int>> lines;
     const auto walk = [&](int vertex, int slot) {
@@ -102,10 +102,13 @@ std::vector<std::vector<int>> Topology::net_lines() const {
     return lines;
 }
 
-bool Topology::is_closed(const std::vector<int>& line) const {
+bool Topology::is_closed(const std::vector<int>& line, InwardCorners corners) const {
     constexpr int k_straight_valence = 3;  // on the boundary
     const int v = line.front();
-    return v == line.back() && valence(v) == (is_boundary(v) ? k_straight_valence : k_regular_valence);
+    if (v != line.back()) return false;
+    if (!is_boundary(v) || valence(v) <= k_straight_valence || corners == InwardCorners::end)
+        return valence(v) == (is_boundary(v) ? k_straight_valence : k_regular_valence);
+    return straight_on(corners)[slot_of(v, line[1])] == slot_of(v, line[line.size() - 2]);
 }
 
 int Topology::slot_of(int vertex, int neighbour) const {
@@ -114,8 +117,7 @@ int Topology::slot_of(int vertex, int neighbour) const {
            static_cast<int>(std::lower_bound(others.begin(), others.end(), neighbour) - others.begin());
 }
 
-/// For each slot the one straight across at the same vertex, −1 where a net line ends.
-std::vector<int> Topology::slots_across() const {
+std::vector<int> Topology::straight_on(InwardCorners corners) const {
     // An edge has two faces at most, and with each a neighbour at the vertex.
     std::vector<std::array<int, 2>> beside(m_neighbours.size(), {-1, -1});
     const auto add = [&](int slot, int other) { beside[slot][beside[slot][0] < 0 ? 0 : 1] = other; };
@@ -129,23 +131,26 @@ std::vector<int> Topology::slots_across() const {
             add(b, a);
         }
     }
-    // If there are several edges that share no face, the first two show it.
-    const auto alone = [&](int vertex, int slot) {
-        int found = -1;
+    const auto across = [&](int vertex, int slot) {
+        int found = -1, candidates = 0, inner = 0;
         for (int other = m_start[vertex]; other < m_start[vertex + 1]; ++other) {
             if (other == slot || other == beside[slot][0] || other == beside[slot][1]) continue;
-            if (found >= 0) return -1;
-            found = other;
+            const bool has_two_faces = beside[other][1] >= 0;
+            ++candidates;
+            if (has_two_faces) ++inner;
+            // Two show that there is none, which is known soon also where very many edges meet.
+            if (inner == 2 || (candidates == 2 && corners == InwardCorners::end)) return -1;
+            if (candidates == 1 || has_two_faces) found = other;
         }
-        return found;
+        return candidates == 1 || (inner == 1 && corners == InwardCorners::pass) ? found : -1;
     };
-    std::vector<int> across(m_neighbours.size(), -1);
+    std::vector<int> straight(m_neighbours.size(), -1);
     for (int v = 0; v < m_net.vertex_count(); ++v)
         for (int slot = m_start[v]; slot < m_start[v + 1]; ++slot) {
-            const int other = alone(v, slot);
-            if (other >= 0 && alone(v, other) == slot) across[slot] = other;
+            const int other = across(v, slot);
+            if (other >= 0 && across(v, other) == slot) straight[slot] = other;
         }
-    return across;
+    return straight;
 }
 
 std::vector<std::vector<int>> Topology::components() const {

@@ -18,6 +18,13 @@ struct NearestSource {
     double distance = std::numeric_limits<double>::infinity();
 };
 
+/// What net lines do at an inward corner of the boundary, as a vertex with three quads: one that comes along the
+/// boundary has two edges before it with which it shares no face, of which one alone has two faces.
+enum class InwardCorners {
+    end,
+    pass,  ///< by the edge that has two faces, as a rod goes on that lies at the border only up to there
+};
+
 /// Incidence of a net, built once in O(E): neighbours, boundary loops, net lines, distances along edges.
 /// Keeps a reference to the net, which must outlive it.
 class Topology {
@@ -42,10 +49,14 @@ public:
     /// Straight on from an edge is the one edge at the vertex that shares no face with it, if there is just one and the
     /// same holds the other way round. So two lines cross at an inner vertex of valence 4, one follows the boundary
     /// through a vertex of valence 3, and at all other vertices, corners and singular ones, all lines end. The same
-    /// holds where faces are no quads.
-    std::vector<std::vector<int>> net_lines() const;
-    /// Of one of them. One that ends where it began, at a vertex at which all lines end, is not closed.
-    bool is_closed(const std::vector<int>& line) const;
+    /// holds where faces are no quads. What is to be done along a line, as a row that is put in, is done from border to
+    /// border: so lines end at inward corners of the boundary, too, unless they are to pass these, as rods do.
+    std::vector<std::vector<int>> net_lines(InwardCorners corners = InwardCorners::end) const;
+    /// Of one of them. One that ends where it began, at a vertex at which it does not go straight on, is not closed.
+    bool is_closed(const std::vector<int>& line, InwardCorners corners = InwardCorners::end) const;
+    /// 2E. For each edge at each vertex, in the order of incident_edges() of one vertex after the other, the place in
+    /// this order of the edge straight on from it, −1 where its line ends.
+    std::vector<int> straight_on(InwardCorners corners) const;
     /// The pieces that no edge joins, each a list of its vertices.
     std::vector<std::vector<int>> components() const;
     int component_count() const { return static_cast<int>(components().size()); }
@@ -62,7 +73,6 @@ public:
 
 private:
     int slot_of(int vertex, int neighbour) const;
-    std::vector<int> slots_across() const;
     std::vector<NearestSource> nearest_by_steps(std::span<const int> sources) const;
     std::vector<NearestSource> nearest_by_length(std::span<const int> sources) const;
 

@@ -21,9 +21,13 @@ std::vector<Triangle> triangles_of_quad(const Positions& x, std::span<const int>
     const auto is_folded = [&x](const std::vector<Triangle>& t) {
         return area_vector(x, t[0]).dot(area_vector(x, t[1])) < 0;
     };
+    const auto diagonal = [&](int first) { return (x.col(quad[first]) - x.col(quad[first + 2])).squaredNorm(); };
+    // A quad that names a vertex twice is refused elsewhere.
+    const auto has_no_length = [&](int first) { return quad[first] != quad[first + 2] && diagonal(first) == 0; };
+    const bool has_none[] = {has_no_length(0), has_no_length(1)};
+    if (has_none[0] != has_none[1]) return choices[has_none[0] ? 1 : 0];
     const bool folded[] = {is_folded(choices[0]), is_folded(choices[1])};
     if (folded[0] != folded[1]) return choices[folded[0] ? 1 : 0];
-    const auto diagonal = [&](int first) { return (x.col(quad[first]) - x.col(quad[first + 2])).squaredNorm(); };
     return choices[diagonal(1) < diagonal(0) ? 1 : 0];
 }
 

@@ -51,14 +51,40 @@ std::vector<int> star_of(const Surface& surface, int vertex) {
     return star;
 }
 
+/// A place on one side of a surface. Through a thin plate, or from piece to piece, what is near in space is not so on
+/// it.
+struct WishedPlace {
+    Eigen::Vector3d point, normal;
+    int piece;  // as Surface::components() counts them
+
+    bool is_on_side(const Eigen::Vector3d& other) const { return normal.dot(other) >= 0; }
+};
+
+/// On other triangles of the surface of `tree`, whose pieces need not have the same numbers.
+WishedPlace place_on(const Surface& surface, const std::vector<int>& pieces, const SurfaceTree& triangles,
+                     const SurfaceTree& tree, const Eigen::Vector3d& wished) {
+    const SurfaceTree::Nearest nearest = tree.nearest(wished);
+    WishedPlace place{nearest.position, tree.surface().face_normals().col(nearest.at.face), -1};
+    double least = std::numeric_limits<double>::infinity();
+    for (int f = 0; f < surface.face_count(); ++f) {
+        const double distance = triangles.nearest_in(f, place.point).distance;
+        if (!(distance < least) || !place.is_on_side(surface.face_normals().col(f))) continue;
+        least = distance;
+        place.piece = pieces[f];
+    }
+    return place;
+}
+
 /// A direction turns by 2π · index / triangles from one to the next, which must be clearly less than half a turn.
-int nearest_vertex(const Surface& surface, const std::vector<bool>& is_taken, const Eigen::Vector3d& point, int index) {
+int nearest_vertex(const Surface& surface, const std::vector<int>& pieces, const std::vector<bool>& is_taken,
+                   const WishedPlace& place, int index) {
     int best = -1;
     double least = std::numeric_limits<double>::infinity();
     for (int v = 0; v < surface.vertex_count(); ++v) {
-        const double distance = (surface.positions().col(v) - point).squaredNorm();
+        const double distance = (surface.positions().col(v) - place.point).squaredNorm();
         if (!(distance < least) || is_taken[v] || surface.is_boundary(v) ||
-            valence(surface, v) <= 2 * std::abs(index) + 1)
+            pieces[Surface::face_of(surface.first_side(v))] != place.piece ||
+            !place.is_on_side(surface.vertex_normals().col(v)) || valence(surface, v) <= 2 * std::abs(index) + 1)
             continue;
         best = v, least = distance;
     }
@@ -260,11 +286,13 @@ PlacedWishes placed(const SingularWishes& wishes, const Surface& surface, const 
     PlacedWishes result;
     result.only = wishes.only;
     std::vector<bool> is_taken(static_cast<std::size_t>(surface.vertex_count()), false);
+    const std::vector<int> pieces = surface.components();
+    const SurfaceTree triangles(surface);
     for (const WishedSingular& wish : wishes.vertices) {
         const int index = 4 - wish.valence;
-        const Eigen::Vector3d point = tree.nearest(wish.point).position;
-        const int vertex = nearest_vertex(surface, is_taken, point, index);
-        if (vertex < 0 || (surface.positions().col(vertex) - point).norm() > k_farthest * cell)
+        const WishedPlace place = place_on(surface, pieces, triangles, tree, wish.point);
+        const int vertex = nearest_vertex(surface, pieces, is_taken, place, index);
+        if (vertex < 0 || (surface.positions().col(vertex) - place.point).norm() > k_farthest * cell)
             throw Error(ErrorCode::bad_option,
                         "the singular vertex wished for at " + row_text(std::span(wish.point.data(), 3), k_digits) +
                             " has no place of its own: smaller cells would make some, or others are too near");

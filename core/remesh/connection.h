@@ -19,9 +19,10 @@ struct PlacedWishes {
     bool only = false;
 };
 
-/// Each vertex wished for goes to the inner vertex nearest to it that has triangles enough for its index, and forbids
-/// its surroundings to others. `tree` is of the surface that was wished for, `cell` the length of the cells to be.
-/// Throws Error bad_option where two go to the same vertex, or there is none inside.
+/// Each vertex wished for goes to the inner vertex nearest to it, on its piece and its side of the surface, that has
+/// triangles enough for its index, and forbids its surroundings to others. `tree` is of the surface that was wished
+/// for, `cell` the length of the cells to be. Throws Error bad_option where two go to the same vertex, or there is none
+/// inside.
 PlacedWishes placed(const SingularWishes& wishes, const Surface& surface, const SurfaceTree& tree, double cell);
 
 /// By which angle transport along each side is turned (radians of the fourth power), so that the curvature of the

@@ -357,12 +357,14 @@ Mesh opened(const Surface& surface, const Edges& edges) {
     return mesh;
 }
 
-/// The point of the border nearest to another; a number below 0 as its face if there is no border.
-SurfacePoint nearest_on_border(const Surface& surface, const Eigen::Vector3d& point) {
+/// The point nearest to another on the border of one piece, as Surface::components() counts them; a number below 0 as
+/// its face if that has no border.
+SurfacePoint nearest_on_border(const Surface& surface, const std::vector<int>& pieces, int piece,
+                               const Eigen::Vector3d& point) {
     SurfacePoint best;
     double least = std::numeric_limits<double>::infinity();
     for (int side = 0; side < 3 * surface.face_count(); ++side) {
-        if (surface.opposite(side) >= 0) continue;
+        if (surface.opposite(side) >= 0 || pieces[Surface::face_of(side)] != piece) continue;
         const Eigen::Vector3d from = surface.positions().col(surface.from(side)),
                               along = surface.positions().col(surface.to(side)) - from;
         const double part = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
@@ -380,6 +382,7 @@ SurfacePoint nearest_on_border(const Surface& surface, const Eigen::Vector3d& po
 
 CutLine cut_line(const Surface& surface, const SurfaceTree& tree, const Positions& points, const std::string& name) {
     const double size = (surface.positions().rowwise().maxCoeff() - surface.positions().rowwise().minCoeff()).norm();
+    const std::vector<int> pieces = surface.components();
     CutLine line;
     for (Eigen::Index k = 0; k < points.cols(); ++k) {
         const std::string point = "point " + std::to_string(k + 1) + " of " + name;
@@ -390,7 +393,7 @@ CutLine cut_line(const Surface& surface, const SurfaceTree& tree, const Position
             refuse(point + " is " + std::to_string(nearest.distance) + " away from the surface");
         line.push_back(nearest.at);
         if (k > 0 && k + 1 < points.cols()) continue;
-        const SurfacePoint border = nearest_on_border(surface, nearest.position);
+        const SurfacePoint border = nearest_on_border(surface, pieces, pieces[nearest.at.face], nearest.position);
         if (border.face >= 0 && (surface.position_at(border) - nearest.position).norm() < k_at_border * size)
             line.back() = border;
     }

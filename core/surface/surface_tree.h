@@ -16,6 +16,8 @@ class SurfaceTree {
 public:
     explicit SurfaceTree(const Surface& surface);
 
+    const Surface& surface() const { return m_surface; }
+
     struct Nearest {
         SurfacePoint at;
         Eigen::Vector3d position;

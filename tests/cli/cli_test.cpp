@@ -318,6 +318,14 @@ TEST_CASE("edges grow as little as handles beyond reach ask for, or by the scale
     CHECK(scale("solve " + edit + "--adapt-lengths") == Approx(1.5));
     CHECK(scale("drag " + edit + "--frames 3 --adapt-lengths") == Approx(1.5));
     CHECK(scale("solve " + edit + "--length-scale 2") == 2);
+
+    // All solves are told of, and the search between them apart.
+    const json alone = box.run("solve " + edit).json();
+    const json adapted = box.run("solve " + edit + "--adapt-lengths --trace trace.csv").json();
+    CHECK(adapted.at("search_for_lengths").at("iterations") > 0);
+    CHECK(adapted.at("iterations") >= alone.at("iterations"));
+    CHECK(sum(adapted.at("iterations_by_stage")) == line_count(box.read("trace.csv")) - 1);
+    CHECK_FALSE(alone.contains("search_for_lengths"));
     check_refused(box.run("solve " + edit + "--length-scale 5"), "length_scale");
 }
 
@@ -443,6 +451,9 @@ TEST_CASE("what a surface does to the net needs a surface") {
     const Sandbox box;
     box.write("pull.json", pull_edit(0.2).dump());
     check_refused(box.run("solve " + k_recipe + " --edit pull.json --guide-mode near"), "--guide");
+    const std::string guided = "solve " + k_recipe + " --edit pull.json --guide hypar --method ";
+    CHECK_THAT(box.run(guided + "projection").err, Contains("method projection does nothing with a guide"));
+    CHECK(box.run(guided + "equilibrium").err.empty());
 }
 
 TEST_CASE("a drag with a frame that does not converge ends with 1") {
@@ -759,6 +770,7 @@ TEST_CASE("drape cuts a surface, lays a net on each piece, and reports of each a
     CHECK(best.at("coverage_with_it") > proposed.at("proposed").at("coverage_uncut"));
     CHECK(proposed.at("net").at("coverage") == best.at("coverage_with_it"));
 
+    check_refused(box.run("drape --surface pebble --propose-cuts 1 --seed 0 0 2 --seed 1 0 2"), "from one --seed");
     check_refused(box.run(drape + "--cut-along \"0,0 1,0,0\""), "\"0,0\" should be three numbers");
     check_refused(box.run(drape + "--cut-along \"0,0,0 1,x,0\""), "\"x\" is not a number");
     check_refused(box.run(drape + "--cut-to-border 0,x,0"), "--cut-to-border: \"x\" is not a number");
@@ -805,6 +817,12 @@ TEST_CASE("drape takes surfaces of our own, and begins in the middle") {
     const json middle = box.run("drape --surface torso --cells 300").json();
     const json best = box.run("drape --surface torso --cells 300 --best").json();
     CHECK(best.at("net").at("coverage") > middle.at("net").at("coverage"));
+    const std::string from_seed = "drape --surface shell --cells 300 --seed 1.5 -0.8 1 ";
+    CHECK(box.run(from_seed + "--best --direction 1 0 0").json().at("net") == box.run(from_seed).json().at("net"));
+    CHECK(box.run(from_seed + "--best").json().at("net") != box.run(from_seed).json().at("net"));
+
+    const json few = box.run("drape --surface hemisphere --cells 3 --cut --reach 1").json().at("net");
+    CHECK((few.at("smallest_corner_angle_degrees").is_null() || few.at("smallest_corner_angle_degrees") < 91));
 }
 
 TEST_CASE("what cannot be draped is refused with one line") {

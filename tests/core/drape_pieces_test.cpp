@@ -1,5 +1,6 @@
 #include "drape/drape_pieces.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -8,6 +9,7 @@
 
 #include "base/error.h"
 #include "drape/cut_proposals.h"
+#include "drape/proposals.h"
 #include "net/measures.h"
 #include "net/topology.h"
 #include "sample_surfaces.h"
@@ -217,4 +219,46 @@ TEST_CASE("Slits anywhere on a body, curved or not, leave an exact net within it
                 CHECK(made.report.coverage > 0.3);
             }
     }
+}
+
+TEST_CASE("A net that leaves the surface where it would lock goes across no slit, also where rods are cut") {
+    const Surface pebble = make_own_surface("pebble");
+    const std::vector<Eigen::Vector3d> line = {{-1.5, 0, 1.717}, {0, 0, 2}, {1.5, 0, 2.097}};
+    const Surface slit = cut_along(pebble, line);
+    for (const Border border : {Border::cut, Border::beyond}) {
+        PiecesOptions options = wish(std::sqrt(pebble.area() / 250), border);
+        options.leave = 1;
+        const DrapedPieces made = drape_pieces(slit, options);
+        // As seen from above, but for what lies below.
+        const Positions& x = made.net.rest_positions();
+        int across = 0;
+        for (int e = 0; e < made.net.edge_count(); ++e) {
+            const Eigen::Vector3d a = x.col(made.net.edges()(0, e)), b = x.col(made.net.edges()(1, e));
+            const bool is_above = a.z() > 1 && b.z() > 1;
+            const double part = a.y() / (a.y() - b.y());
+            const double x_there = (1 - part) * a.x() + part * b.x();
+            const double least = 1e-3 * options.drape.length;
+            across += is_above && std::min(a.y(), b.y()) < -least && std::max(a.y(), b.y()) > least &&
+                      std::abs(x_there) < 1.3;
+        }
+        CHECK(across == 0);
+    }
+}
+
+TEST_CASE("Trials keep to slits, and with a seed they look for the best direction there") {
+    const Surface pebble = make_own_surface("pebble");
+    const Surface slit = cut_along(pebble, {{-1.5, 0, 1.717}, {0, 0, 2}, {1.5, 0, 2.097}});
+    PiecesOptions options = wish(std::sqrt(pebble.area() / 250), Border::beyond);
+    options.best = true;
+    CHECK(drape_pieces(slit, options).draped[0].options.slits);
+
+    const Eigen::Vector3d seed(0.4, 0.8, 1.9);
+    options.seeds = {seed};
+    const DrapedPiece piece = drape_pieces(slit, options).draped[0];
+    CHECK(piece.options.seed == seed);
+    const SurfaceTree tree(slit);
+    DrapeOptions there = piece.options;
+    there.direction = Eigen::Vector3d::UnitX();
+    CHECK(with_best_direction(slit, tree, there).direction == piece.options.direction);
+    CHECK_THROWS_WITH(with_best_direction(slit, tree, DrapeOptions{.length = -1}), Contains("edge length"));
 }

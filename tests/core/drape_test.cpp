@@ -16,6 +16,7 @@
 #include "edit/editor.h"
 #include "mesh_files.h"
 #include "net/measures.h"
+#include "sample_nets.h"
 #include "sample_surfaces.h"
 #include "surface/curvature.h"
 #include "surface/gallery.h"
@@ -602,4 +603,58 @@ TEST_CASE("Slits and gaps are told by the border that is open inside, though a s
     CHECK(report.coverage == Approx(1));
     // Ten edges on each side, of which two at each end are beside the border.
     CHECK(report.open_border == Approx(2 * 6));
+}
+
+TEST_CASE("A net with a quad that lies folded on itself is measured like others") {
+    Positions x(3, 6);
+    x << 0, 1, 0, 0, 1, 0,  //
+        0, 0, 0, 1, 1, 2,   //
+        0, 0, 0, 0, 0, 0;
+    // Of the first face two opposite corners are in one place, of the others all but one.
+    x.col(2) = x.col(0);
+    Faces faces;
+    faces.add({0, 1, 2, 3});
+    faces.add({1, 4, 3, 2});
+    x.conservativeResize(3, 5);
+    const Net net(x, faces, RestLengths::own);
+    const Surface plane(samples::plane(4, 4));
+    const DrapeReport report = measure_drape(plane, SurfaceTree(plane), net);
+    CHECK(report.coverage > 0);
+    CHECK(sampled_coverage(plane, net) > 0);
+
+    // What has no area at all covers nothing.
+    Positions flat = Positions::Zero(3, 4);
+    flat(0, 1) = flat(0, 3) = 1;
+    Faces one;
+    one.add({0, 1, 2, 3});
+    const Net line(flat, one);
+    CHECK(measure_drape(plane, SurfaceTree(plane), line).coverage == 0);
+}
+
+TEST_CASE("A cut net most of whose edges are shorter is measured by the length it was laid with") {
+    const Surface hemisphere = make_own_surface("hemisphere");
+    const SurfaceTree tree(hemisphere);
+    DrapeOptions options = suggested_drape(hemisphere, tree, 8);
+    options.border = DrapeOptions::Border::cut;
+    const Net net = drape(hemisphere, tree, options).net;
+    REQUIRE_FALSE(shared_length(net));
+    const DrapeReport report = measure_drape(hemisphere, tree, net, options.length);
+    CHECK(report.length == options.length);
+    CHECK(report.whole_cells > 0);
+    CHECK(report.smallest_angle <= report.largest_angle);
+    CHECK(measure_drape(hemisphere, tree, net).whole_cells == 0);
+    CHECK(part_sheared(net, 0, options.length) == 1);
+}
+
+TEST_CASE("Coverage of a surface of few triangles is guessed by samples all over them") {
+    Mesh panel{Positions::Zero(3, 4), {}};
+    panel.positions.row(0) << 0, 40, 40, 0;
+    panel.positions.row(1) << 0, 0, 10, 10;
+    panel.faces.add({0, 1, 2});
+    panel.faces.add({0, 2, 3});
+    const Surface surface(panel);
+    const Net net = samples::patch(14, 11, 0);  // its left third
+    const double exact = measure_drape(surface, SurfaceTree(surface), net).coverage;
+    CHECK(exact == Approx(13.5 / 40).margin(0.01));
+    CHECK(sampled_coverage(surface, net) == Approx(exact).margin(0.02));
 }

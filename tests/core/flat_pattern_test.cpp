@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <set>
 #include <string>
 #include <tuple>
@@ -15,9 +16,11 @@
 #include "constants.h"
 #include "drape/drape.h"
 #include "io/obj.h"
+#include "net/rods.h"
 #include "sample_nets.h"
 #include "sample_surfaces.h"
 #include "shapes/shapes.h"
+#include "surface/gallery.h"
 
 using namespace chebnet;
 
@@ -256,4 +259,20 @@ TEST_CASE("A singular vertex without a place on the grid is named") {
     const int vertex = fault_of(net).vertex;
     CHECK_FALSE(topology.is_boundary(vertex));
     CHECK(topology.valence(vertex) != 4);
+}
+
+TEST_CASE("A cut net that was edited to the threshold, saved and opened again lies flat") {
+    const Surface hemisphere = make_own_surface("hemisphere");
+    const SurfaceTree tree(hemisphere);
+    DrapeOptions options = suggested_drape(hemisphere, tree, 300);
+    options.border = DrapeOptions::Border::cut;
+    const Net net = drape(hemisphere, tree, options).net;
+    std::mt19937 random(5);  // NOLINT(cert-msc51-cpp): the same net each time
+    const Net edited(samples::shaken(net.rest_positions(), 2e-4 * options.length, random), net.faces());
+    const Eigen::ArrayXd change = edited.rest_lengths().array() / net.rest_lengths().array() - 1;
+    CHECK(change.abs().maxCoeff() > 1e-4);
+    CHECK(is_cut(edited, Topology(edited)));
+    CHECK(rods(edited, Topology(edited)) == rods(net, Topology(net)));
+    const FlatPattern before = pattern_of(net), after = pattern_of(edited);
+    CHECK((after.places - before.places).cwiseAbs().maxCoeff() < 0.01);
 }

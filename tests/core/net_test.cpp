@@ -247,6 +247,61 @@ TEST_CASE("Net lines end at singular vertices and corners, and follow the bounda
     for (const std::vector<int>& line : net_lines(samples::cube())) CHECK(line.size() == 2);
 }
 
+TEST_CASE("At an inward corner net lines end, or pass by the edge that has two faces") {
+    // Three quads about vertex 4.
+    Positions x(3, 8);
+    x << 0, 1, 2, 0, 1, 2, 0, 1,  //
+        0, 0, 0, 1, 1, 1, 2, 2,   //
+        0, 0, 0, 0, 0, 0, 0, 0;
+    Faces faces = one_face({0, 1, 4, 3});
+    faces.add({1, 2, 5, 4});
+    faces.add({3, 4, 7, 6});
+    const Net net(x, faces);
+    CHECK(net_lines(net) == Lines{{0, 1, 2}, {0, 3, 6}, {1, 4}, {2, 5}, {3, 4}, {4, 5}, {4, 7}, {6, 7}});
+    const Topology topology(net);
+    const auto passing = topology.net_lines(InwardCorners::pass);
+    CHECK(Lines(passing.begin(), passing.end()) == Lines{{0, 1, 2}, {0, 3, 6}, {1, 4, 7}, {2, 5}, {3, 4, 5}, {6, 7}});
+
+    // Folded along 3-4-5, two of the four pairs of edges through which lines go are bent.
+    const double phi = 0.4;
+    Positions folded = x;
+    for (const int v : {6, 7}) folded.col(v) << x(0, v), 1 + std::cos(phi), std::sin(phi);
+    CHECK(bend(net, topology, folded) == Approx(2 * std::sin(phi / 2) / std::sqrt(2.0)));
+}
+
+TEST_CASE("A line that passes an inward corner is closed there only if it goes straight on") {
+    // A ring of quads, and outside of it first one at an edge, then another beside that: vertex 6 has three, then four.
+    const int around = 6;
+    Positions x = Positions::Zero(3, 16);
+    Faces faces;
+    for (int k = 0; k < around; ++k) {
+        const double angle = 2 * EIGEN_PI * k / around;
+        for (int row = 0; row < 2; ++row)
+            x.col(row * around + k) << (1 + row) * std::cos(angle), (1 + row) * std::sin(angle), 0;
+        const int next = (k + 1) % around;
+        faces.add({k, next, around + next, around + k});
+    }
+    x.col(12) << 2, 3, 0;
+    x.col(13) << 3, 1, 0;
+    x.col(14) << 4, 0, 0;
+    x.col(15) << 3, -1, 0;
+    for (const bool has_second : {false, true}) {
+        CAPTURE(has_second);
+        Faces some = faces;
+        some.add({6, 7, 12, 13});
+        if (has_second) some.add({6, 13, 14, 15});
+        const Net net(x.leftCols(has_second ? 16 : 14), some, RestLengths::own);
+        const Topology topology(net);
+        int loops = 0, closed = 0;
+        for (const std::vector<int>& line : topology.net_lines(InwardCorners::pass)) {
+            loops += line.front() == line.back() ? 1 : 0;
+            closed += topology.is_closed(line, InwardCorners::pass) ? 1 : 0;
+        }
+        CHECK(loops == 2);
+        CHECK(closed == (has_second ? 1 : 2));
+    }
+}
+
 TEST_CASE("Distance along a patch of unit edges is the number of steps") {
     const Net net = samples::patch(7, 5);
     const Topology topology(net);

@@ -960,6 +960,39 @@ TEST_CASE("With singular vertices wished for the turns of a field still add up t
     for (const PlacedWishes::Pin& pin : on_triangles.pins) CHECK(field.holonomy[pin.vertex] == (pin.index + 4) % 4);
 }
 
+TEST_CASE("A singular vertex wished for stays on its piece and its side of a surface, however thin that is") {
+    // A flat box, thinner than its triangles are wide, and above it a sheet, nearer still.
+    const double thickness = 0.02;
+    Mesh mesh = samples::plane(10, 1);
+    const Mesh sheet = mesh;
+    const auto add = [&](double height, bool is_turned, double shift) {
+        const auto first = static_cast<int>(mesh.positions.cols());
+        mesh.positions.conservativeResize(3, first + sheet.positions.cols());
+        mesh.positions.rightCols(sheet.positions.cols()) = sheet.positions;
+        mesh.positions.rightCols(sheet.positions.cols()).row(0).array() += shift;
+        mesh.positions.rightCols(sheet.positions.cols()).row(2).array() += height;
+        for (int f = 0; f < sheet.faces.size(); ++f) {
+            std::vector<int> face(sheet.faces[f].begin(), sheet.faces[f].end());
+            for (int& v : face) v += first;
+            if (is_turned) std::reverse(face.begin(), face.end());
+            mesh.faces.add(face);
+        }
+    };
+    add(thickness, false, 0.04);
+    add(2 * thickness, true, 0.02);
+    const Surface surface(mesh);
+    const SurfaceTree tree(surface);
+    for (const double height : {0.0, thickness, 2 * thickness}) {
+        CAPTURE(height);
+        for (const double x : {0.0, 0.02, 0.04, 0.06}) {
+            SingularWishes wishes;
+            wishes.vertices = {{{x, 0, height}, 3}};
+            const PlacedWishes placed_there = placed(wishes, surface, tree, 0.2);
+            CHECK(surface.positions()(2, placed_there.pins[0].vertex) == height);
+        }
+    }
+}
+
 TEST_CASE("What was not kept is said, wish by wish") {
     const Net net = remesh(std::make_shared<const Guide>(make_own_surface("pebble")), of_cells(200)).net;
     const std::vector<SingularVertex> singular = singular_vertices(net);

@@ -1,5 +1,6 @@
 #include "fabricate/rod_table.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <iterator>
@@ -73,6 +74,59 @@ TEST_CASE("Where the border of a surface has cut a net, the edges along it are o
     double length = 0;
     for (const std::vector<std::string>& row : rows) length += std::stod(row[2]);
     CHECK(length == Approx(report.rod_length));
+}
+
+TEST_CASE("Along a straight border rods keep their cut ends, and what joins the ends of others is no rod") {
+    // Rods end 0.015 behind the last that crosses them; up and down the border is too near for another edge.
+    const auto rectangle = [](double width, double height) {
+        Mesh mesh{Positions::Zero(3, 4), {}};
+        mesh.positions.row(0) << -width / 2, width / 2, width / 2, -width / 2;
+        mesh.positions.row(1) << -height / 2, -height / 2, height / 2, height / 2;
+        mesh.faces.add({0, 1, 2});
+        mesh.faces.add({0, 2, 3});
+        return Surface(mesh);
+    };
+    const Surface panel = rectangle(1.03, 1.006);
+    const SurfaceTree tree(panel);
+    DrapeOptions options;
+    options.length = 0.1;
+    options.border = DrapeOptions::Border::cut;
+    const Net net = drape(panel, tree, options).net;
+    int level = 0, upright = 0;
+    for (const std::vector<std::string>& row : samples::cells_of(table_of(net, net.rest_positions()))) {
+        const double length = std::stod(row[2]);
+        level += length == Approx(1.03) ? 1 : 0;
+        upright += length == Approx(1.0) ? 1 : 0;
+        CHECK(row[3] == "0");
+    }
+    CHECK(level == 11);
+    CHECK(upright == 11);
+    CHECK(rods(net, Topology(net)).size() == 22);
+}
+
+TEST_CASE("A rod ends where a rim goes on from it, and is whole where rims join it at its ends") {
+    // Three whole cells in a row. Beyond the last the border cuts from one corner to the middle of the far side, and
+    // before the first both rods go on a little.
+    Positions x = Positions::Zero(3, 11);
+    x.leftCols(8).row(0) << 0, 1, 2, 3, 0, 1, 2, 3;
+    x.leftCols(8).row(1) << 0, 0, 0, 0, 1, 1, 1, 1;
+    x.col(8) << -0.4, 0, 0;
+    x.col(9) << -0.4, 1, 0;
+    x.col(10) << 3.6, 0, 0;
+    Faces faces;
+    for (int k = 0; k < 3; ++k) faces.add({k, k + 1, k + 5, k + 4});
+    faces.add({8, 0, 4, 9});
+    faces.add({3, 10, 7});
+    const Net net(x, faces, RestLengths::own);
+    const auto lines = rods(net, Topology(net));
+    const auto has = [&](const std::vector<int>& rod) {
+        const std::vector<int> backwards(rod.rbegin(), rod.rend());
+        return std::count(lines.begin(), lines.end(), rod) + std::count(lines.begin(), lines.end(), backwards) == 1;
+    };
+    CHECK(has({8, 0, 1, 2, 3, 10}));
+    CHECK(has({9, 4, 5, 6, 7}));
+    for (int k = 0; k < 4; ++k) CHECK(has({k, k + 4}));
+    CHECK(lines.size() == 6);
 }
 
 TEST_CASE("Edges that have no length in common leave every net line a rod, also along the border") {

@@ -191,3 +191,18 @@ TEST_CASE("A cut that cannot be made is refused, with the reason and the place")
     const Surface halves = cut(square, {{{-1, 0.1, 0}, {1, 0.3, 0}}});
     refused(halves, {{{0, -0.5, 0}, {0, 0.5, 0}, {0, 0.6, 0}}}, "points 1 and 2 of cut 1 are on different pieces");
 }
+
+TEST_CASE("An end of a cut goes to the border of its own piece only, however near another lies") {
+    Mesh mesh = samples::plane(4, 1);
+    // A sheet a little above the end of the cut, far from the border of the large one.
+    const auto first = static_cast<int>(mesh.positions.cols());
+    mesh.positions.conservativeResize(3, first + 3);
+    mesh.positions.rightCols(3) << 0.3, 0.32, 0.3,  //
+        0, 0, 0.02,                                 //
+        0.01, 0.01, 0.01;
+    mesh.faces.add({first, first + 1, first + 2});
+    const Surface surface(mesh);
+    const CutLine line = line_at(surface, {{-0.3, 0, 0}, {0.3, 0, 0}});
+    CHECK(surface.components()[line[1].face] == surface.components()[line[0].face]);
+    CHECK(form_of(cut_open(surface, {{line}})).pieces == 2);
+}

@@ -1,7 +1,6 @@
 #include "solve/terms/bending_term.h"
 
 #include <Eigen/LU>
-#include <algorithm>
 
 #include "solve/parts/nearest_rotation.h"
 
@@ -16,46 +15,6 @@ constexpr double k_inertia = 1e-13;
 // Below this, of the trace's cube, edges leave the rotation open.
 constexpr double k_least_determinant = 1e-9;
 
-/// For each edge at each vertex, in the order of Topology::incident_edges(), the place of the edge by which its net
-/// line goes on, −1 where it ends: the one that shares no face with it, and of several the one that has two faces.
-std::vector<int> find_partners(const Net& net, const Topology& topology, const std::vector<int>& start) {
-    const auto place_of = [&](int vertex, int neighbour) {
-        const std::span<const int> others = topology.neighbours(vertex);
-        return start[vertex] +
-               static_cast<int>(std::lower_bound(others.begin(), others.end(), neighbour) - others.begin());
-    };
-    std::vector<std::vector<int>> beside(static_cast<std::size_t>(start.back()));
-    for (int f = 0; f < net.face_count(); ++f) {
-        const std::span<const int> face = net.faces()[f];
-        for (std::size_t k = 0; k < face.size(); ++k) {
-            const int v = face[k];
-            const int a = place_of(v, face[(k + 1) % face.size()]),
-                      b = place_of(v, face[(k + face.size() - 1) % face.size()]);
-            beside[a].push_back(b);
-            beside[b].push_back(a);
-        }
-    }
-    const auto across = [&](int vertex, int place) {
-        int found = -1, candidates = 0, inner = 0;
-        for (int other = start[vertex]; other < start[vertex + 1]; ++other) {
-            if (other == place || std::find(beside[place].begin(), beside[place].end(), other) != beside[place].end())
-                continue;
-            ++candidates;
-            // With two such there is none, which is known soon also where very many edges meet.
-            if (beside[other].size() == 2 && ++inner == 2) return -1;
-            if (candidates == 1 || beside[other].size() == 2) found = other;
-        }
-        return candidates == 1 || inner == 1 ? found : -1;
-    };
-    std::vector<int> partners(beside.size(), -1);
-    for (int v = 0; v < net.vertex_count(); ++v)
-        for (int place = start[v]; place < start[v + 1]; ++place) {
-            const int other = across(v, place);
-            if (other >= 0 && across(v, other) == place) partners[place] = other;
-        }
-    return partners;
-}
-
 }  // namespace
 
 BendingTerm::BendingTerm(const Net& net, const Topology& topology, const Positions& rest, double weight,
@@ -65,7 +24,7 @@ BendingTerm::BendingTerm(const Net& net, const Topology& topology, const Positio
       m_turns(reference != Reference::straight) {
     m_start.push_back(0);
     for (int b = 0; b < net.vertex_count(); ++b) m_start.push_back(m_start.back() + topology.valence(b));
-    const std::vector<int> partners = find_partners(net, topology, m_start);
+    const std::vector<int> partners = topology.straight_on(InwardCorners::pass);
     for (int b = 0; b < net.vertex_count(); ++b) {
         const std::span<const int> neighbours = topology.neighbours(b), edges = topology.incident_edges(b);
         for (std::size_t k = 0; k < neighbours.size(); ++k) {
