@@ -23,22 +23,24 @@ constexpr double k_repeated = 0.95, k_most_repeated = 2;
 // What a net counts for, beside one handle, where handles alone do not say how a shape is turned.
 constexpr double k_free_weight = 1e-10;
 
-/// Of some vertices from a shape to where those that are held are to be, and as far as these do not tell, to where the
-/// others are.
-RigidMotion placing(const std::vector<int>& vertices, const Positions& shape, const Positions& places,
-                    const std::vector<bool>& is_held) {
-    const auto count = static_cast<Eigen::Index>(vertices.size());
-    Positions from(3, count), to(3, count);
-    Eigen::VectorXd weight(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const int v = vertices[i];
-        from.col(i) = shape.col(v);
-        to.col(i) = places.col(v);
-        weight[i] = is_held[v] ? 1 : 0;
-    }
-    if (weight.sum() < 3 || !fit_rigid_motion(from, to, weight).is_determined)
-        weight.array() += k_free_weight / static_cast<double>(count);
-    return fit_rigid_motion(from, to, weight);
+Positions columns_of(const Positions& all, const std::vector<int>& vertices) {
+    Positions columns(3, static_cast<Eigen::Index>(vertices.size()));
+    for (Eigen::Index i = 0; i < columns.cols(); ++i) columns.col(i) = all.col(vertices[i]);
+    return columns;
+}
+
+Eigen::VectorXd entries_of(const Eigen::VectorXd& all, const std::vector<int>& vertices) {
+    Eigen::VectorXd entries(static_cast<Eigen::Index>(vertices.size()));
+    for (Eigen::Index i = 0; i < entries.size(); ++i) entries[i] = all[vertices[i]];
+    return entries;
+}
+
+/// From a shape to where vertices are, by those that are held, which have the weight 1 and others 0, and as far as
+/// these do not tell, by all.
+RigidMotion placing(const Positions& shape, const Positions& to, const Eigen::VectorXd& is_held) {
+    const RigidMotion by_held = is_held.sum() < 3 ? RigidMotion{} : fit_rigid_motion(shape, to, is_held);
+    if (by_held.is_determined) return by_held;
+    return fit_rigid_motion(shape, to, (is_held.array() + k_free_weight / static_cast<double>(to.cols())).matrix());
 }
 
 }  // namespace
@@ -97,10 +99,12 @@ bool HandleWalk::ends_as_in(const Positions& shape, const Positions& like) const
 Positions HandleWalk::placed(const Positions& shape, const Positions& like) const {
     Positions to = like;
     m_held.take_held(m_to, to);
-    std::vector<bool> is_held(static_cast<std::size_t>(to.cols()), false);
-    for (int v : m_held.vertices()) is_held[v] = true;
+    Eigen::VectorXd is_held = Eigen::VectorXd::Zero(to.cols());
+    for (int v : m_held.vertices()) is_held[v] = 1;
     for (const std::vector<int>& piece : m_pieces) {
-        const RigidMotion motion = placing(piece, shape, to, is_held);
+        const RigidMotion motion =
+            m_pieces.size() == 1 ? placing(shape, to, is_held)
+                                 : placing(columns_of(shape, piece), columns_of(to, piece), entries_of(is_held, piece));
         for (int v : piece) to.col(v) = motion.of(shape.col(v));
     }
     return to;
