@@ -838,6 +838,14 @@ test('cuts that help a net are proposed with what they help', async () => {
   expect(after!).toBeGreaterThan(before!);
   await expect.poll(results).toContain(`${after} %`);
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-proposed-cuts.png') });
+
+  // Those that are under way when a net over the whole is made are given up with it, and can be asked for again.
+  const kind = draper().getByRole('combobox', { name: 'Net', exact: true });
+  await press('Propose cuts');
+  await kind.selectOption('whole');
+  await press('Make the net');
+  await kind.selectOption('piece');
+  expect(await draper().getByRole('button', { name: 'Propose cuts' }).isDisabled()).toBe(false);
 });
 
 test('the length that a net over the whole came to have stands in its field, and is not asked for of one piece', async () => {
@@ -892,12 +900,33 @@ test('a closed body gets a net over the whole of it, with progress and a stop', 
   expect(await results()).toMatch(/Singular vertices, of so many edges\s+8: 8 × 3/);
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-whole.png') });
 
-  // Of other settings than it was made with: said by its figures, and what is to be done next by the button.
+  // Of other settings than it was made with it is not opened; nor while another one is made, which can be given up for it.
   const make = draper().getByRole('button', { name: 'Make the net' });
+  const open = draper().getByRole('button', { name: 'Open this net' });
   expect(await make.getAttribute('class')).not.toContain('primary');
   await draper().getByRole('combobox', { name: 'Singular vertices' }).selectOption('where it curves');
   expect(await make.getAttribute('class')).toContain('primary');
   await draper().locator('.facts.stale').waitFor();
+  await draper()
+    .getByText(/^Of other settings/)
+    .waitFor();
+  expect(await open.isDisabled()).toBe(true);
+  await draper().getByRole('combobox', { name: 'Singular vertices' }).selectOption('as few as it takes');
+  await measured();
+  expect(await open.isDisabled()).toBe(false);
+  const made = await figures();
+  // In one step: a net so small would be there soon.
+  const canBeOpened = await draper().evaluate((dialog) => {
+    const button = (name: string) =>
+      [...dialog.querySelectorAll('button')].find(({ textContent }) => textContent === name)!;
+    button('Make the net').click();
+    const canBeOpened = !button('Open this net').disabled;
+    button('Stop').click();
+    return canBeOpened;
+  });
+  expect(canBeOpened).toBe(false);
+  await measured();
+  expect(await figures()).toBe(made);
 
   const net = await openExactNet(first);
   expect(net.length).toBeCloseTo(Number(wished), 6);

@@ -1,6 +1,6 @@
 /** A net being laid on a surface: the seed is dragged in the picture, the rest is set at the side, and the net follows.
  *  Cancel ends it at any time, and so does Escape, which ends what is being drawn first. */
-import type { Mesh, Point } from '../../../wasm/chebnet';
+import type { Mesh, Point, RemeshOptions } from '../../../wasm/chebnet';
 import type { GuideSource, ViewState } from '../document/document';
 import { createPicture } from '../drape/drape_picture';
 import type { Picture } from '../drape/drape_picture';
@@ -117,6 +117,9 @@ export class DrapeDialog implements DraperLike {
   /** Where the net is wanted to begin, until another seed is. */
   #seed: DrapeSettings['seed'] = [0, 0, 0];
   #shown: DrapedNet | RemeshedNet | null = null;
+  /** Settings of the net over the whole that is shown, and of the one that is being made. */
+  #madeWith: RemeshOptions = {};
+  #makesWith: RemeshOptions = {};
   #best: Proposal | null = null;
   #proposedFor = '';
   /** The net is the first one of its proposal. */
@@ -287,6 +290,7 @@ export class DrapeDialog implements DraperLike {
     this.#cuts.giveUp();
     this.#creases.giveUp();
     this.#results.setFault(words.core.sentence(message));
+    this.#showStanding();
   }
 
   // ------------------------------------------------------------------------------------------- a net over the whole of it
@@ -311,13 +315,17 @@ export class DrapeDialog implements DraperLike {
   #remesh(): void {
     if (!this.#form.isAllowed()) return;
     this.#setMaking(true);
-    this.#results.removeNet();
-    this.#draping.remesh({ ...this.#form.readWhole(), ...this.#singular.read(), ...this.#creases.read() });
+    this.#results.expectWholeNet();
+    this.#makesWith = this.#form.readWhole();
+    this.#draping.remesh({ ...this.#makesWith, ...this.#singular.read(), ...this.#creases.read() });
   }
 
+  /** A net that was made before is there again. */
   #stop(): void {
-    this.#setMaking(false);
     this.#draping.stop();
+    this.#cuts.giveUp();
+    this.#results.keepNet();
+    this.#setMaking(false);
   }
 
   #setMaking(making: boolean): void {
@@ -325,9 +333,11 @@ export class DrapeDialog implements DraperLike {
     this.#maker.setBusy(making);
     this.#singular.setBusy(making);
     this.#creases.setBusy(making);
+    this.#showStanding();
   }
 
   #onRemeshed(net: RemeshedNet): void {
+    this.#madeWith = this.#makesWith;
     this.#setMaking(false);
     this.#setNet(net);
     this.#picture.setNet(net, null);
@@ -360,8 +370,17 @@ export class DrapeDialog implements DraperLike {
   #setNet(net: DrapedNet | RemeshedNet | null): void {
     this.#shown = net;
     this.#isTaking &&= net !== null;
-    this.#take.disabled = net === null;
-    this.#maker.setWanted(net === null);
+    this.#showStanding();
+  }
+
+  /** Over the whole surface only a net of the settings in sight can be opened, or one is to be made first. A single piece follows
+   *  them at once; what is drawn and pinned is said to hold for the next net. */
+  #showStanding(): void {
+    const hasNet = this.#shown !== null;
+    const isOld = hasNet && this.#form.isWhole && !isSame(this.#form.readWhole(), this.#madeWith);
+    this.#take.disabled = !hasNet || this.#isMaking || isOld;
+    this.#maker.setWanted(!hasNet || isOld);
+    this.#results.setOutdated(isOld && !this.#isMaking);
   }
 
   #drapeFrom(seed: DrapeSettings['seed']): void {
@@ -376,7 +395,7 @@ export class DrapeDialog implements DraperLike {
   }
 
   #change(): void {
-    if (this.#form.isWhole) return this.#outdate();
+    if (this.#form.isWhole) return this.#changeWhole();
     this.#proposals.setStale(this.#proposable() !== this.#proposedFor);
     this.#drape();
   }
@@ -386,11 +405,10 @@ export class DrapeDialog implements DraperLike {
     return JSON.stringify({ ...this.#form.read(), direction: null });
   }
 
-  /** The net that is shown, or being made, is not of the settings any more. */
-  #outdate(): void {
+  /** A net that is being made is not of the settings any more. */
+  #changeWhole(): void {
     if (this.#isMaking) this.#stop();
-    this.#maker.setWanted(true);
-    this.#results.outdateNet();
+    this.#showStanding();
   }
 
   #drape(): void {
@@ -426,4 +444,8 @@ export class DrapeDialog implements DraperLike {
       guide: this.#surface,
     };
   }
+}
+
+function isSame(settings: RemeshOptions, others: RemeshOptions): boolean {
+  return JSON.stringify(settings) === JSON.stringify(others);
 }

@@ -90,6 +90,7 @@ export const dialogs = {
     title: 'A net on a surface',
     opening: 'Measuring the surface…',
     making: 'Making the net…',
+    outdated: 'Of other settings than these: make the net again to open it.',
     proposals: 'Good beginnings, the best first',
     proposal: (number: number, how: readonly string[]) => `Beginning ${number}: ${how.join(' ')}`,
     /** What comes of it, in lines below its picture. */

@@ -108,6 +108,7 @@ export const dialogs: Widened<typeof en> = {
     title: '曲面上的网',
     opening: '正在测量曲面…',
     making: '正在铺网…',
+    outdated: '与当前设置不符：重新生成网后方可打开。',
     proposals: '较好的起点，最好的在前',
     proposal: (number, how) => `起点 ${number}：${how.join(' ')}`,
     proposed: (covered, sheared, distance) => [`覆盖 ${covered}`, `剪切 ${sheared}`, `离面 ${distance} 边长`],
