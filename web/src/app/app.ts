@@ -63,8 +63,8 @@ export type AppServices = Pick<
 >;
 
 type Listener = (error?: unknown) => void;
-/** `changed`: anything in the document; `restarted`: the worker was lost. */
-export type AppEvent = 'frame' | 'settled' | 'error' | 'changed' | 'restarted';
+/** `changed`: anything in the document; `opening`: a net is about to be opened; `restarted`: the worker was lost. */
+export type AppEvent = 'frame' | 'settled' | 'error' | 'changed' | 'opening' | 'restarted';
 
 export class App {
   readonly handles: HandleEditor;
@@ -79,6 +79,7 @@ export class App {
     settled: new Set(),
     error: new Set(),
     changed: new Set(),
+    opening: new Set(),
     restarted: new Set(),
   };
   #making = Promise.resolve();
@@ -198,16 +199,19 @@ export class App {
   /** Opens a scene in place of the present one, to which undo returns. If it fails, the present one stays.
    *  @param change what the history calls it. */
   openScene(scene: Scene, change?: NamedChange): Promise<void> {
+    this.#emit('opening');
     return this.#opener.openScene(scene, change);
   }
 
   /** Opens a project with its history in place of the present one. If it fails, the present one stays. */
   openProject(project: Project): Promise<void> {
+    this.#emit('opening');
     return this.#opener.openProject(project);
   }
 
   /** Opens a net at rest, with the settings and the view of the present document, its own axis up. */
   openNet(net: NetSource, upAxis?: UpAxis): Promise<void> {
+    this.#emit('opening');
     return this.#opener.openNet(net, upAxis);
   }
 
