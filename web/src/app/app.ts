@@ -455,14 +455,15 @@ export class App {
   /** Runs methods on the present edit, in a worker of their own. */
   compare({ methods, start }: ComparisonRequest): void {
     if (this.opening === null) return;
-    const { document, net } = this.opening;
+    const { document } = this.opening;
+    const { net, numbering } = document;
     const positions = start === 'rest' ? null : document.positions;
     const planOf = (method: string): RunPlan => ({
       label: words.core.method(method),
       style: this.#methods.indexOf(method), // the same in every comparison
       scene: { ...document, method, positions },
       threshold: this.#threshold(document),
-      net,
+      net: { net, numbering },
     });
     this.#run(methods.map(planOf));
   }
@@ -470,13 +471,14 @@ export class App {
   /** Runs these from rest, in a worker of their own; those without an edit of their own on the present one. */
   runAll(requests: readonly RunRequest[]): void {
     if (this.opening === null) return;
-    const { document, net } = this.opening;
+    const { document } = this.opening;
+    const { net, numbering } = document;
     const planOf = ({ label, edit, ...settings }: RunRequest, style: number): RunPlan => ({
       label,
       style,
       scene: { ...document, ...settings, ...(edit ? { ...edit, numbering: undefined } : {}), positions: null },
       threshold: this.#threshold(settings),
-      net: edit === undefined ? net : null,
+      net: edit === undefined ? { net, numbering } : null,
     });
     this.#run(requests.map(planOf));
   }
