@@ -1,5 +1,6 @@
 /** Panels, made of elements that need no browser. */
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import type { App } from '../../web/src/app/app';
 import { newRun, type Run, type RunPlan } from '../../web/src/compare/run';
 import type { ChebnetDocument, HandleData } from '../../web/src/document/document';
 import { FIGURES } from '../../web/src/experiments/figures';
@@ -7,11 +8,14 @@ import type { NewNetResponse } from '../../web/src/experiments/new_net_protocol'
 import { texts } from '../../web/src/experiments/texts';
 import type { Choice, HandleCommands } from '../../web/src/handles/commands';
 import { panelWords } from '../../web/src/language/panels';
+import { Hints } from '../../web/src/learn/hints';
 import { words } from '../../web/src/language/language';
+import { Messages } from '../../web/src/overlay/messages';
 import { OpeningNotice } from '../../web/src/overlay/opening_notice';
 import { PartNotice } from '../../web/src/overlay/part_notice';
 import { RunNotice } from '../../web/src/overlay/run_notice';
 import { SelectionBar } from '../../web/src/overlay/selection_bar';
+import { SharpNotice } from '../../web/src/overlay/sharp_notice';
 import { StuckNotice } from '../../web/src/overlay/stuck_notice';
 import type { PanelEvents } from '../../web/src/panels';
 import { ChangePanel } from '../../web/src/sidebar/change_panel';
@@ -24,7 +28,8 @@ import { type DocumentHere, documentHere } from './elements_here';
 
 const SILENT = new Proxy({}, { get: () => () => {} });
 
-const net = describeNet((await load()).openRecipe('sheet:vertices=121'));
+const core = await load();
+const net = describeNet(core.openRecipe('sheet:vertices=121'));
 const handle = (vertex: number): HandleData => ({ vertex, target: [0, 0, 0], anchor: false });
 const choose = (...selection: number[]): Choice => ({
   selection,
@@ -97,6 +102,57 @@ describe('what goes while it has the focus leaves it to the picture:', () => {
     const notice = new OpeningNotice(() => {});
     notice.setOpening(true, true);
     leaves(words.opening.cancel, () => notice.setOpening(false, false));
+  });
+
+  test('messages, whose time is not up while they have it', () => {
+    vi.useFakeTimers();
+    vi.stubGlobal('window', { setTimeout });
+    const messages = new Messages();
+    messages.say('wrong', 'error');
+    leaves('×', () => page.button('×').tell('click'));
+    expect(messages.element.textContent).toBe('');
+    messages.offer('A new version is here.', 'Load it', () => {});
+    leaves('×', () => page.button('×').tell('click'));
+    messages.setNet();
+    messages.say('wrong', 'error');
+    leaves('×', () => messages.setNet());
+    messages.say('gone', 'info', { label: 'Undo', run: () => {} });
+    page.button('Undo').focus();
+    vi.advanceTimersByTime(60_000);
+    expect(page.activeElement).toBe(page.button('Undo'));
+    leaves('Undo', () => page.button('Undo').tell('click'));
+    messages.say('gone', 'info', { label: 'Undo', run: () => {} });
+    vi.advanceTimersByTime(60_000);
+    expect(messages.element.textContent).toBe('');
+    vi.useRealTimers();
+  });
+
+  test('the notice that a net came with nearly closed quads', () => {
+    const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 1.999, 0.02, 0, 0.999, 0.02, 0);
+    const mesh = { positions, faceStart: Int32Array.of(0, 4), faceVertices: Int32Array.of(0, 1, 2, 3) };
+    const sharp = describeNet(core.openMesh(mesh));
+    const notice = new SharpNotice(events);
+    notice.setDocument({ method: 'equilibrium', options: { shear_limit: 30 } } as unknown as ChebnetDocument);
+    const open = () => {
+      notice.setNet(sharp);
+      const moved = positions.map((x) => x + 1);
+      notice.setFrame({ positions: moved, handles: [] } as unknown as FrameData, 60, false);
+    };
+    open();
+    leaves(panelWords.sharp.accept, () => page.button(panelWords.sharp.accept).tell('click'));
+    open();
+    leaves(panelWords.sharp.accept, () => notice.setNet(sharp));
+  });
+
+  test('hints, of which the last leaves it, and each before to the next', () => {
+    vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => {} });
+    const app = { opening: null, isQuiet: true, on: () => {} };
+    const hints = new Hints(app as unknown as App, page.createElement('h1') as unknown as Element);
+    const done = page.button(panelWords.hints.done);
+    done.focus();
+    done.tell('click');
+    expect(page.activeElement).toBe(done);
+    leaves(panelWords.hints.done, () => hints.done('share'));
   });
 
   test('not what has it elsewhere', () => {

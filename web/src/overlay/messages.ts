@@ -1,6 +1,7 @@
 /** Toasts, read out by screen readers. An error stays until it is dismissed, and no message outlives what it speaks of. */
 import { words } from '../language/language';
 import { make, makeButton } from '../elements/dom';
+import { leave, takeAway } from '../elements/leave';
 import type { Action, Panel } from '../panels';
 import './messages.css';
 
@@ -30,7 +31,7 @@ export class Messages implements Panel {
 
   /** Takes away all but what is offered. */
   unsay(): void {
-    for (const place of [this.#infos, this.#errors]) place.replaceChildren();
+    for (const place of [this.#infos, this.#errors]) fill(place);
   }
 
   /** A message that stays until the user accepts or dismisses it. */
@@ -38,7 +39,7 @@ export class Messages implements Panel {
     const line = make('p', { class: 'message' }, make('span', {}, message));
     line.append(
       makeAct(line, { label: button, run: accept }),
-      makeDismiss(() => line.remove()),
+      makeDismiss(() => takeAway(line)),
     );
     this.#offers.append(line);
   }
@@ -46,16 +47,30 @@ export class Messages implements Panel {
   #sayInfo(message: string, action?: Action): void {
     const line = make('p', { class: 'message' }, make('span', {}, message));
     if (action) line.append(makeAct(line, action));
-    this.#infos.replaceChildren(line);
+    fill(this.#infos, line);
+    this.#takeAwayLater(line, action ? OFFER_MS : INFO_MS);
+  }
+
+  /** Not while its button has the focus: whoever has come there is about to decide. */
+  #takeAwayLater(line: HTMLElement, delay: number): void {
     clearTimeout(this.#timer);
-    this.#timer = window.setTimeout(() => line.remove(), action ? OFFER_MS : INFO_MS);
+    this.#timer = window.setTimeout(
+      () => (line.contains(document.activeElement) ? this.#takeAwayLater(line, INFO_MS) : line.remove()),
+      delay,
+    );
   }
 
   #sayError(message: string): void {
     const line = make('p', { class: 'message error' }, make('span', {}, message));
-    line.append(makeDismiss(() => line.remove()));
-    this.#errors.replaceChildren(line);
+    line.append(makeDismiss(() => takeAway(line)));
+    fill(this.#errors, line);
   }
+}
+
+/** In place of what was said there. */
+function fill(place: HTMLElement, ...lines: HTMLElement[]): void {
+  leave(place);
+  place.replaceChildren(...lines);
 }
 
 /** The cross of what may be put away. */
@@ -66,7 +81,7 @@ export function makeDismiss(run: () => void): HTMLButtonElement {
 /** The button of a message, which goes once its decision is made. */
 function makeAct(line: HTMLElement, { label, run }: Action): HTMLButtonElement {
   const act = (): void => {
-    line.remove();
+    takeAway(line);
     run();
   };
   return makeButton(label, act, { class: 'plain link' });
