@@ -760,12 +760,27 @@ test('on a phone a curve is drawn by touch', async () => {
     .getByText(/^Pick points of the curve/)
     .waitFor();
   const { x, y, width, height } = (await draper().locator('.picture canvas').boundingBox())!;
-  for (const [across, down] of [
-    [0.3, 0.45],
-    [0.6, 0.75],
-  ] as const)
-    await visit.page.touchscreen.tap(x + across * width, y + down * height);
-  await draper().getByRole('button', { name: 'End the curve' }).tap();
+  const at = (across: number, down: number) => ({ x: x + across * width, y: y + down * height });
+  const first = at(0.3, 0.45);
+  await visit.page.touchscreen.tap(first.x, first.y);
+  const fingers = await visit.page.context().newCDPSession(visit.page);
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...touchPoints: { x: number; y: number }[]) =>
+    fingers.send('Input.dispatchTouchEvent', { type, touchPoints });
+  // Two fingers enlarge, also if the first one stands still.
+  const [still, other] = [at(0.6, 0.75), at(0.7, 0.3)];
+  await touch('touchStart', still);
+  await touch('touchStart', still, other);
+  await touch('touchMove', still, { ...other, y: other.y - 12 });
+  await touch('touchEnd', still);
+  await touch('touchEnd');
+  // One that shakes a little sets a point.
+  const end = draper().getByRole('button', { name: 'End the curve' });
+  await visit.page.waitForTimeout(200); // as long as the point of the first would take
+  expect(await end.isVisible()).toBe(false);
+  await touch('touchStart', still);
+  await touch('touchMove', { ...still, x: still.x + 6 });
+  await touch('touchEnd');
+  await end.tap();
   await draper().getByText('The curve gives the direction, and the seed slides along it.').waitFor();
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-curve-phone.png') });
   expect(await direction().isDisabled()).toBe(true);

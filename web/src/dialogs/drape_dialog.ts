@@ -1,7 +1,7 @@
 /** A net being laid on a surface: the seed is dragged in the picture, the rest is set at the side, and the net follows.
  *  Cancel ends it at any time, and so does Escape, which ends what is being drawn first. */
 import type { Mesh, Point, RemeshOptions } from '../../../wasm/chebnet';
-import type { GuideSource, ViewState } from '../document/document';
+import type { GuideSource, UpAxis } from '../document/document';
 import { createPicture } from '../drape/drape_picture';
 import type { Picture } from '../drape/drape_picture';
 import type {
@@ -50,7 +50,8 @@ export interface DrapeDialogParts {
   /** The visitor wants to bring a surface in a file; without it there is no such button. */
   fileWanted?: () => void;
   spawnWorker(): DrapeWorkerLike;
-  upAxis: ViewState['upAxis'];
+  /** Of the surface that the visitor brings. */
+  upAxis: UpAxis;
 }
 
 export class DrapeDialog implements DraperLike {
@@ -58,7 +59,7 @@ export class DrapeDialog implements DraperLike {
   readonly result: Promise<TakenNet | null>;
   readonly #dialog: HTMLDialogElement;
   readonly #given: GivenSurface | null;
-  readonly #up: ViewState['upAxis'];
+  readonly #givenUp: UpAxis;
   readonly #draping: Draping;
   readonly #picture: Picture;
   readonly #form: DrapeForm;
@@ -131,7 +132,7 @@ export class DrapeDialog implements DraperLike {
 
   constructor(root: HTMLElement, given: GivenSurface | null, parts: DrapeDialogParts) {
     this.#given = given;
-    this.#up = parts.upAxis;
+    this.#givenUp = parts.upAxis;
     this.#surface = given ?? { own: FIRST };
     this.#name = given?.name ?? FIRST;
     const picture = make('div', { class: 'picture' });
@@ -173,7 +174,7 @@ export class DrapeDialog implements DraperLike {
     });
     root.append(this.#dialog);
     this.#dialog.showModal();
-    this.#picture = createPicture(picture, TEXT.picture, parts.upAxis, {
+    this.#picture = createPicture(picture, TEXT.picture, {
       seedMoved: (ray) => this.#drapeFrom(ray),
       turned: (direction) => this.#turn(direction),
       seedBack: ({ position, direction }) => this.#turn(direction, position),
@@ -218,6 +219,11 @@ export class DrapeDialog implements DraperLike {
     this.#finish(null);
   }
 
+  /** Of the surface that is shown: z of our own, whatever is up in the one beside them. */
+  get #up(): UpAxis {
+    return this.#surface === this.#given ? this.#givenUp : 'z';
+  }
+
   /** What is drawn by points; null: points are singular vertices. */
   get #drawn(): DrapeArms | DrapeCuts | DrapeCreases | null {
     if (this.#form.isWhole) return this.#creases.isDrawing ? this.#creases : null;
@@ -255,7 +261,7 @@ export class DrapeDialog implements DraperLike {
   }
 
   #onOpened(surface: ShownSurface, length: number): void {
-    this.#picture.setSurface(surface);
+    this.#picture.setSurface(surface, this.#up);
     this.#arms.reset();
     this.#cuts.reset(surface.report.boundaryLoops);
     this.#creases.reset();
@@ -442,6 +448,7 @@ export class DrapeDialog implements DraperLike {
       net: { mesh, name: netName(this.#name) },
       handles: proposedHandles(net),
       guide: this.#surface,
+      upAxis: this.#up,
     };
   }
 }
