@@ -529,6 +529,12 @@ describe('at the seed', () => {
   });
 });
 
+test('of lines that are not followed it is said how far net lines are off', () => {
+  const { kept } = dialogs.drape.markedCreases;
+  expect(kept(2, '0.7')).toBe('Not followed: 2. On average along a line, net lines are up to 0.7 edges off.');
+  expect(kept(0, '0')).toBe('Net lines run along what is drawn.');
+});
+
 test('every surface of our own has its words', () => {
   expect(Object.entries(dialogs.drape.own)).toEqual(core.ownSurfaces().map(({ name, title }) => [name, title]));
 });

@@ -7,6 +7,7 @@ import { FIGURES } from '../../web/src/experiments/figures';
 import type { NewNetResponse } from '../../web/src/experiments/new_net_protocol';
 import { texts } from '../../web/src/experiments/texts';
 import type { Choice, HandleCommands } from '../../web/src/handles/commands';
+import type { Snapping } from '../../web/src/handles/snapping';
 import { panelWords } from '../../web/src/language/panels';
 import { Hints } from '../../web/src/learn/hints';
 import { words } from '../../web/src/language/language';
@@ -21,6 +22,7 @@ import type { PanelEvents } from '../../web/src/panels';
 import { ChangePanel } from '../../web/src/sidebar/change_panel';
 import { DragPanel } from '../../web/src/sidebar/drag_panel';
 import { hasNewNet, NewNetTrial } from '../../web/src/sidebar/new_net_trial';
+import { StepPanel } from '../../web/src/sidebar/step_panel';
 import { describe as describeNet } from '../../web/src/worker/opened_net';
 import type { FrameData } from '../../web/src/worker/protocol';
 import { load } from '../wasm/load';
@@ -184,6 +186,33 @@ test('what a change would do is shown no longer than what is selected stays so',
   expect(shown.faded).toBe(true);
   panel.setHandles([handle(60)], choose());
   expect(shown).toEqual({ preview: [], faded: false });
+});
+
+test('of edges that have grown, lengths are told in edges as they are now', () => {
+  const set: (Snapping | null)[] = [];
+  const commands = { setSnapping: (snapping: Snapping | null) => set.push(snapping) } as unknown as HandleCommands;
+  const panel = new DragPanel(
+    commands,
+    () => {},
+    () => {},
+  );
+  panel.setNet(net);
+  const grown = { positions: net.restPositions, lengthScale: 1.25 } as unknown as FrameData;
+  panel.onFrame({ ...grown, lengthScale: 1 });
+  const row = page.all('label').find(({ textContent }) => textContent === panelWords.drag.toGrid)!;
+  const grid = page.all('input').find((each) => row.contains(each))!;
+  Object.assign(grid, { checked: true }).tell('change');
+  expect(set.at(-1)?.step).toBeCloseTo(net.info.edgeLength);
+  panel.onFrame(grown);
+  expect(set.at(-1)?.step).toBeCloseTo(1.25 * net.info.edgeLength);
+
+  const steps = new StepPanel(SILENT as PanelEvents, () => {});
+  steps.setNet(net);
+  const moved = net.restPositions.map((x, i) => (i === 0 ? x + 2.5 * net.info.edgeLength : x));
+  const trace = [{ iteration: 1, stage: 1, p: 0, energy: 1, step: 1, freeVertices: 1 }];
+  steps.onFrame({ ...grown, trace, stepFrom: net.restPositions, positions: moved } as unknown as FrameData);
+  steps.setFrame();
+  expect(page.all('dd')[0]!.textContent).toBe('2');
 });
 
 test('while thousands of handles are dragged, none is looked for among all of them', () => {

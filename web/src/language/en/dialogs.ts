@@ -223,7 +223,7 @@ export const dialogs = {
       kept: (missed: number, edges: string) =>
         missed === 0
           ? 'Net lines run along what is drawn.'
-          : `Not followed: ${missed}. net lines are ${edges} edges off on average.`,
+          : `Not followed: ${missed}. On average along a line, net lines are up to ${edges} edges off.`,
     },
     singularWishes: {
       title: 'Singular vertices',
