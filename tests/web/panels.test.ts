@@ -114,6 +114,8 @@ describe('what goes while it has the focus leaves it to the picture:', () => {
     leaves('×', () => page.button('×').tell('click'));
     expect(messages.element.textContent).toBe('');
     messages.offer('A new version is here.', 'Load it', () => {});
+    messages.offer('A new version is here.', 'Load it', () => {});
+    expect(messages.element.textContent).toBe('A new version is here.Load it×');
     leaves('×', () => page.button('×').tell('click'));
     messages.setNet();
     messages.say('wrong', 'error');

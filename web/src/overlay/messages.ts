@@ -15,6 +15,8 @@ export class Messages implements Panel {
   readonly #offers = make('div', { role: 'status' });
   readonly #errors = make('div', { role: 'alert' });
   readonly element = make('div', { class: 'messages' }, this.#infos, this.#offers, this.#errors);
+  /** By what they say. */
+  readonly #offered = new Map<string, HTMLElement>();
   #timer = 0;
   #hasNet = false;
 
@@ -34,9 +36,12 @@ export class Messages implements Panel {
     for (const place of [this.#infos, this.#errors]) fill(place);
   }
 
-  /** A message that stays until the user accepts or dismisses it. */
+  /** A message that stays until the user accepts or dismisses it, or the same is offered again. */
   offer(message: string, button: string, accept: () => void): void {
     const line = make('p', { class: 'message' }, make('span', {}, message));
+    const before = this.#offered.get(message);
+    if (before) takeAway(before);
+    this.#offered.set(message, line);
     line.append(
       makeAct(line, { label: button, run: accept }),
       makeDismiss(() => takeAway(line)),
