@@ -443,6 +443,7 @@ test('its picture has the pixels of the screen it comes to, and keeps nothing of
 });
 
 test('the surface may be in a file', async () => {
+  const { vertices: first } = await script.stats();
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();
   const chooser = visit.page.waitForEvent('filechooser');
   await press('A file of yours…');
@@ -452,10 +453,20 @@ test('the surface may be in a file', async () => {
     buffer: Buffer.from(surfaceFile('shell')),
   });
   await dialog(/^roof\.obj$/)
+    .getByText('y is up', { exact: true })
+    .click();
+  await dialog(/^roof\.obj$/)
     .getByRole('button', { name: 'Make a net on it…' })
     .click();
   await measured();
-  expect(await draper().getByRole('combobox', { name: 'Surface' }).inputValue()).toBe('');
+  const surface = draper().getByRole('combobox', { name: 'Surface' });
+  expect(await surface.inputValue()).toBe('');
+  // One of our own beside it has its own axis up.
+  await surface.selectOption('hypar');
+  await measured();
+  await press('Open this net');
+  await expect.poll(async () => (await script.stats()).vertices).not.toBe(first);
+  expect(await visit.page.getByLabel('Up axis').inputValue()).toBe('z');
 });
 
 test('Escape gives up a drag of the seed, and then the dialog', async () => {
