@@ -237,8 +237,9 @@ test('several projects with names and pictures: opened, renamed, copied, deleted
   await page.screenshot({ path: join(OUTPUT, 'projects-desktop.png') });
   await dialog.getByRole('button', { name: 'Delete Copy of Hall' }).click();
   await expect.poll(lines).toEqual(['', 'Hall']);
-  await dialog.getByRole('button', { name: 'Undo' }).click();
+  await dialog.getByRole('button', { name: 'Undo' }).press('Enter');
   await expect.poll(lines).toEqual(['', 'Hall', 'Copy of Hall']);
+  expect(await dialog.locator(':focus').innerText()).toBe('Close');
 
   const other = await newTab(visit);
   await other.page.goto(page.url());

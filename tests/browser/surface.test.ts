@@ -443,6 +443,7 @@ test('its picture has the pixels of the screen it comes to, and keeps nothing of
 });
 
 test('the surface may be in a file', async () => {
+  const { vertices: first } = await script.stats();
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();
   const chooser = visit.page.waitForEvent('filechooser');
   await press('A file of yours…');
@@ -452,10 +453,20 @@ test('the surface may be in a file', async () => {
     buffer: Buffer.from(surfaceFile('shell')),
   });
   await dialog(/^roof\.obj$/)
+    .getByText('y is up', { exact: true })
+    .click();
+  await dialog(/^roof\.obj$/)
     .getByRole('button', { name: 'Make a net on it…' })
     .click();
   await measured();
-  expect(await draper().getByRole('combobox', { name: 'Surface' }).inputValue()).toBe('');
+  const surface = draper().getByRole('combobox', { name: 'Surface' });
+  expect(await surface.inputValue()).toBe('');
+  // One of our own beside it has its own axis up.
+  await surface.selectOption('hypar');
+  await measured();
+  await press('Open this net');
+  await expect.poll(async () => (await script.stats()).vertices).not.toBe(first);
+  expect(await visit.page.getByLabel('Up axis').inputValue()).toBe('z');
 });
 
 test('Escape gives up a drag of the seed, and then the dialog', async () => {
@@ -760,12 +771,27 @@ test('on a phone a curve is drawn by touch', async () => {
     .getByText(/^Pick points of the curve/)
     .waitFor();
   const { x, y, width, height } = (await draper().locator('.picture canvas').boundingBox())!;
-  for (const [across, down] of [
-    [0.3, 0.45],
-    [0.6, 0.75],
-  ] as const)
-    await visit.page.touchscreen.tap(x + across * width, y + down * height);
-  await draper().getByRole('button', { name: 'End the curve' }).tap();
+  const at = (across: number, down: number) => ({ x: x + across * width, y: y + down * height });
+  const first = at(0.3, 0.45);
+  await visit.page.touchscreen.tap(first.x, first.y);
+  const fingers = await visit.page.context().newCDPSession(visit.page);
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...touchPoints: { x: number; y: number }[]) =>
+    fingers.send('Input.dispatchTouchEvent', { type, touchPoints });
+  // Two fingers enlarge, also if the first one stands still.
+  const [still, other] = [at(0.6, 0.75), at(0.7, 0.3)];
+  await touch('touchStart', still);
+  await touch('touchStart', still, other);
+  await touch('touchMove', still, { ...other, y: other.y - 12 });
+  await touch('touchEnd', still);
+  await touch('touchEnd');
+  // One that shakes a little sets a point.
+  const end = draper().getByRole('button', { name: 'End the curve' });
+  await visit.page.waitForTimeout(200); // as long as the point of the first would take
+  expect(await end.isVisible()).toBe(false);
+  await touch('touchStart', still);
+  await touch('touchMove', { ...still, x: still.x + 6 });
+  await touch('touchEnd');
+  await end.tap();
   await draper().getByText('The curve gives the direction, and the seed slides along it.').waitFor();
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-curve-phone.png') });
   expect(await direction().isDisabled()).toBe(true);
@@ -838,6 +864,14 @@ test('cuts that help a net are proposed with what they help', async () => {
   expect(after!).toBeGreaterThan(before!);
   await expect.poll(results).toContain(`${after} %`);
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-proposed-cuts.png') });
+
+  // Those that are under way when a net over the whole is made are given up with it, and can be asked for again.
+  const kind = draper().getByRole('combobox', { name: 'Net', exact: true });
+  await press('Propose cuts');
+  await kind.selectOption('whole');
+  await press('Make the net');
+  await kind.selectOption('piece');
+  expect(await draper().getByRole('button', { name: 'Propose cuts' }).isDisabled()).toBe(false);
 });
 
 test('the length that a net over the whole came to have stands in its field, and is not asked for of one piece', async () => {
@@ -892,12 +926,33 @@ test('a closed body gets a net over the whole of it, with progress and a stop', 
   expect(await results()).toMatch(/Singular vertices, of so many edges\s+8: 8 × 3/);
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-whole.png') });
 
-  // Of other settings than it was made with: said by its figures, and what is to be done next by the button.
+  // Of other settings than it was made with it is not opened; nor while another one is made, which can be given up for it.
   const make = draper().getByRole('button', { name: 'Make the net' });
+  const open = draper().getByRole('button', { name: 'Open this net' });
   expect(await make.getAttribute('class')).not.toContain('primary');
   await draper().getByRole('combobox', { name: 'Singular vertices' }).selectOption('where it curves');
   expect(await make.getAttribute('class')).toContain('primary');
   await draper().locator('.facts.stale').waitFor();
+  await draper()
+    .getByText(/^Of other settings/)
+    .waitFor();
+  expect(await open.isDisabled()).toBe(true);
+  await draper().getByRole('combobox', { name: 'Singular vertices' }).selectOption('as few as it takes');
+  await measured();
+  expect(await open.isDisabled()).toBe(false);
+  const made = await figures();
+  // In one step: a net so small would be there soon.
+  const canBeOpened = await draper().evaluate((dialog) => {
+    const button = (name: string) =>
+      [...dialog.querySelectorAll('button')].find(({ textContent }) => textContent === name)!;
+    button('Make the net').click();
+    const canBeOpened = !button('Open this net').disabled;
+    button('Stop').click();
+    return canBeOpened;
+  });
+  expect(canBeOpened).toBe(false);
+  await measured();
+  expect(await figures()).toBe(made);
 
   const net = await openExactNet(first);
   expect(net.length).toBeCloseTo(Number(wished), 6);

@@ -2,7 +2,7 @@
 import { beforeEach, expect, test } from 'vitest';
 import { Presenter } from '../../web/src/app/presenter';
 import { State } from '../../web/src/app/state';
-import type { Run } from '../../web/src/compare/run';
+import type { NetOrigin, Run } from '../../web/src/compare/run';
 import { defaultScene } from '../../web/src/document/defaults';
 import type { HandleData } from '../../web/src/document/document';
 import type { PanelEvents, Panels } from '../../web/src/panels';
@@ -42,7 +42,8 @@ function frameAt(x: number, change: Partial<FrameData> = {}): FrameData {
   return frame as FrameData;
 }
 
-const runAt = (x: number, net = state.opening!.net) => ({ label: 'run', net, frame: frameAt(x) }) as unknown as Run;
+const runAt = (x: number, net: NetOrigin = state.opening!.document) =>
+  ({ label: 'run', net, frame: frameAt(x) }) as unknown as Run;
 
 beforeEach(() => {
   calls = [];
@@ -113,10 +114,21 @@ test('handles that slide are presented with each frame that moves them, and noth
 
 test('a run of a net that is not open any more is not shown', () => {
   calls = [];
-  const other = { ...state.opening!.net };
+  const other = { net: { recipe: 'dome' }, numbering: 1 };
   presenter.showRun(runAt(7, other));
   presenter.showBeside([runAt(7, other)]);
   expect(calls).toEqual([]);
+});
+
+test('undo brings back the net of a run, which is shown again', () => {
+  const run = runAt(7);
+  const scene = { ...state.opening!.document };
+  state.open(defaultScene(), { net: { numbering: 1 }, frame: frameAt(0) } as Opened);
+  presenter.showRun(run);
+  expect(named('setRuns')).toEqual([]);
+  state.open(scene, { net: { numbering: 1 }, frame: frameAt(0) } as Opened);
+  presenter.showRun(run);
+  expect(named('setRuns').at(-1)![1]).toBe(run);
 });
 
 test('a run has its net and handles shown until the own net moves', async () => {

@@ -6,7 +6,7 @@ import { canShow, type Comparison, newRun, type RunPlan, startLength } from '../
 import { styleOf } from '../../web/src/comparison/results';
 import { freshScene } from '../../web/src/document/defaults';
 import type { WorkerLike } from '../../web/src/worker/client';
-import type { FrameData, OpenedNet, Request, Response } from '../../web/src/worker/protocol';
+import type { FrameData, Request, Response } from '../../web/src/worker/protocol';
 import { Server } from '../../web/src/worker/server';
 import { load } from '../wasm/load';
 
@@ -151,12 +151,13 @@ describe('cancelled', () => {
   });
 });
 
-test('a run is shown in the place of the net it is of, as that was open, and no other', () => {
-  const [net, other] = [{}, {}] as OpenedNet[];
-  const run = { ...newRun({ ...plan('li2022'), net: net! }), frame: {} as FrameData };
-  expect(canShow(run, net!)).toBe(true);
-  expect(canShow(run, other!)).toBe(false);
-  expect(canShow({ ...run, frame: null }, net!)).toBe(false);
+test('a run is shown in the place of the net it is of, also opened anew, and no other', () => {
+  const net = { net: { recipe }, numbering: 2 };
+  const run = { ...newRun({ ...plan('li2022'), net }), frame: {} as FrameData };
+  expect(canShow(run, { ...net })).toBe(true);
+  expect(canShow(run, { ...net, numbering: 1 })).toBe(false);
+  expect(canShow(run, { ...net, net: { recipe: 'dome' } })).toBe(false);
+  expect(canShow({ ...run, frame: null }, net)).toBe(false);
   expect(canShow({ ...run, net: null }, null)).toBe(false);
 });
 

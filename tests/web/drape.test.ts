@@ -442,6 +442,29 @@ describe('while a net is being laid', () => {
     draping.close();
   });
 
+  test('to stop gives up the net alone: what else was asked of the surface is asked of the next worker', () => {
+    const { worker, told, draping, lengths } = start();
+    draping.open({ own: 'pebble' });
+    worker.answer(opened);
+    draping.propose({ length: 0.3 });
+    draping.trace('creases', [[0, 0, 0]], 1);
+    draping.proposeCuts(SETTINGS);
+    draping.remesh({ cells: 100 });
+    draping.stop();
+    worker.answer(opened);
+    worker.answer({ type: 'proposed', proposals: [] });
+    expect(lengths()).toEqual(['open', 'propose', 'open', 'propose', 'trace']);
+    // Also where the next one is stopped before it has opened the surface.
+    draping.remesh({ cells: 100 });
+    draping.stop();
+    draping.remesh({ cells: 100 });
+    draping.stop();
+    worker.answer(opened);
+    expect(lengths().slice(5)).toEqual(['open', 'open', 'trace']);
+    expect(told).toEqual(['opened', 'proposed']);
+    draping.close();
+  });
+
   test('a net that stands still is measured', async () => {
     const { worker, told, draping, lengths } = start();
     draping.drape(SETTINGS);
@@ -504,6 +527,12 @@ describe('at the seed', () => {
   test('cells and length are two names of one thing', () => {
     expect(cellsOf(lengthOf(400, 7), 7)).toBeCloseTo(400);
   });
+});
+
+test('of lines that are not followed it is said how far net lines are off', () => {
+  const { kept } = dialogs.drape.markedCreases;
+  expect(kept(2, '0.7')).toBe('Not followed: 2. On average along a line, net lines are up to 0.7 edges off.');
+  expect(kept(0, '0')).toBe('Net lines run along what is drawn.');
 });
 
 test('every surface of our own has its words', () => {

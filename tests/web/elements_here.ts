@@ -48,6 +48,14 @@ export class ElementHere extends EventTarget {
     child.#parent = this;
   }
 
+  /** Beside it, to which nothing here pays attention. */
+  after(): void {}
+
+  remove(): void {
+    this.#parent?.replaceChildren(...this.#parent.#children.filter((each) => each !== this));
+    this.#parent = null;
+  }
+
   hasChildNodes(): boolean {
     return this.#children.length > 0;
   }

@@ -1,7 +1,14 @@
 /** What a host may ask of an embedded editor, and what it is refused. */
 import { beforeEach, expect, test, vi } from 'vitest';
+import type { App } from '../../web/src/app/app';
+import { makeWayOut } from '../../web/src/embed/embed';
 import { Host } from '../../web/src/embed/host';
+import { embedWords } from '../../web/src/language/embed';
+import { hashOf } from '../../web/src/projects/link';
 import type { Scripting } from '../../web/src/scripting';
+import { documentHere } from './elements_here';
+
+vi.mock('../../web/src/projects/link', () => ({ hashOf: vi.fn() }));
 
 const stats = { vertices: 4, status: 'converged' };
 let listeners: Map<string, (error?: unknown) => void>;
@@ -114,4 +121,24 @@ test('a host that does not wait for answers is told that too many are open', asy
   script.settled.mockReturnValue(new Promise(() => undefined));
   for (let i = 0; i < 100; i++) void host.receive({ chebnet: 1, id: i, call: 'settled' });
   expect(await ask('settled')).toMatchObject({ id: 7, error: { code: 'busy' } });
+});
+
+test('whichever way it is taken, the way out has the scene of that moment, and leads nowhere if no link can hold it', () => {
+  documentHere();
+  vi.stubGlobal('location', { pathname: '/editor/' });
+  const say = vi.fn();
+  const link = makeWayOut({ say } as unknown as App) as HTMLAnchorElement;
+  const take = (way: string) => link.dispatchEvent(new Event(way, { cancelable: true }));
+  const ways = ['click', 'auxclick', 'contextmenu'];
+  for (const [i, way] of ['pointerdown', ...ways].entries()) {
+    vi.mocked(hashOf).mockReturnValue({ hash: `#${i}`, positions: false });
+    expect(take(way)).toBe(true);
+    expect(link.href).toBe(`/editor/#${i}`);
+  }
+  vi.mocked(hashOf).mockReturnValue({ hash: null });
+  expect(take('pointerdown')).toBe(true);
+  expect(say).not.toHaveBeenCalled();
+  for (const way of ways) expect(take(way)).toBe(false);
+  expect(say.mock.calls).toEqual(ways.map(() => [embedWords.tooLarge]));
+  vi.unstubAllGlobals();
 });

@@ -1,7 +1,7 @@
 /** Files on their way in and out, without a page. */
 import { describe, expect, test } from 'vitest';
 import type { Mesh } from '../../wasm/chebnet';
-import type { GuideSource, HandleSeed, NetSource } from '../../web/src/document/document';
+import type { GuideSource, HandleSeed, NetSource, UpAxis } from '../../web/src/document/document';
 import type { Subject } from '../../web/src/equalize/subject';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { fileNameOf } from '../../web/src/document/file_name';
@@ -195,6 +195,7 @@ function makeOpener(
   const [workers, dialogs, opened]: [LocalWorker[], FakeDialog[], NetSource[]] = [[], [], []];
   const held: HandleSeed[] = [];
   const guides: (GuideSource | undefined)[] = [];
+  const ups: (UpAxis | undefined)[] = [];
   const createEqualizer = (subject: Subject): EqualizerLike => {
     let close = (): void => {};
     const closed = new Promise<null>((resolve) => (close = () => resolve(null)));
@@ -209,8 +210,9 @@ function makeOpener(
       const closed = new Promise<null>((resolve) => (close = () => resolve(null)));
       return { result: draped(surface, closed), close };
     },
-    open: async ({ net, handles, guide }) => {
+    open: async ({ net, handles, guide, upAxis }) => {
       opened.push(net);
+      ups.push(upAxis);
       guides.push(guide);
       held.push(...handles);
     },
@@ -221,6 +223,7 @@ function makeOpener(
     opened,
     held,
     guides,
+    ups,
     open: (text: string, name = 'net.obj') => opener.open(new File([text], name)),
     opener,
   };
@@ -357,6 +360,22 @@ describe('a file', () => {
     expect(dialogs[0]?.report?.surface).toMatchObject({ triangles: 2, prospect: 'one_piece' });
     expect(surfaces).toEqual(['net.obj', 'net.obj']);
     expect([opened, held]).toEqual([[net], handles]);
+  });
+
+  test('lies as its axis says, and one of our own surfaces chosen in its place as that does', async () => {
+    const net = { mesh: meshOf(SQUARES), name: 'net-net.obj' };
+    const taken: TakenNet[] = [
+      { net, handles: [] },
+      { net, handles: [], guide: { own: 'shell' }, upAxis: 'z' },
+    ];
+    const { open, ups } = makeOpener(
+      () => Promise.resolve({ repaired: false, restLengths: 'draped' as const, upAxis: 'y' as const }),
+      undefined,
+      () => Promise.resolve(taken.shift()!),
+    );
+    await open(TRIANGLES);
+    await open(TRIANGLES);
+    expect(ups).toEqual(['y', 'z']);
   });
 
   test('that folds sharply once it is equalised may have a new net made on its surface', async () => {

@@ -134,6 +134,16 @@ test('a move can be undone before the solver has taken it, and one that it refus
   expect(history).toMatchObject({ canUndo: false, canRedo: true });
 });
 
+test('a change that is refused late takes back nothing that was done since', async () => {
+  refuses = true;
+  const moving = editor.move([{ vertex: 0, target: [0, 0, 1] }]);
+  refuses = false;
+  await editor.set([handle(7)]);
+  await expect(moving).rejects.toThrow('refused');
+  expect(vertices()).toEqual([7]);
+  expect(history.names).toHaveLength(3);
+});
+
 test('Escape ends selecting several, and only then the selection', () => {
   editor.select([0]);
   editor.toggleSelecting();

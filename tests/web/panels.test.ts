@@ -1,22 +1,28 @@
 /** Panels, made of elements that need no browser. */
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import type { App } from '../../web/src/app/app';
 import { newRun, type Run, type RunPlan } from '../../web/src/compare/run';
 import type { ChebnetDocument, HandleData } from '../../web/src/document/document';
 import { FIGURES } from '../../web/src/experiments/figures';
 import type { NewNetResponse } from '../../web/src/experiments/new_net_protocol';
 import { texts } from '../../web/src/experiments/texts';
 import type { Choice, HandleCommands } from '../../web/src/handles/commands';
+import type { Snapping } from '../../web/src/handles/snapping';
 import { panelWords } from '../../web/src/language/panels';
+import { Hints } from '../../web/src/learn/hints';
 import { words } from '../../web/src/language/language';
+import { Messages } from '../../web/src/overlay/messages';
 import { OpeningNotice } from '../../web/src/overlay/opening_notice';
 import { PartNotice } from '../../web/src/overlay/part_notice';
 import { RunNotice } from '../../web/src/overlay/run_notice';
 import { SelectionBar } from '../../web/src/overlay/selection_bar';
+import { SharpNotice } from '../../web/src/overlay/sharp_notice';
 import { StuckNotice } from '../../web/src/overlay/stuck_notice';
 import type { PanelEvents } from '../../web/src/panels';
 import { ChangePanel } from '../../web/src/sidebar/change_panel';
 import { DragPanel } from '../../web/src/sidebar/drag_panel';
 import { hasNewNet, NewNetTrial } from '../../web/src/sidebar/new_net_trial';
+import { StepPanel } from '../../web/src/sidebar/step_panel';
 import { describe as describeNet } from '../../web/src/worker/opened_net';
 import type { FrameData } from '../../web/src/worker/protocol';
 import { load } from '../wasm/load';
@@ -24,7 +30,8 @@ import { type DocumentHere, documentHere } from './elements_here';
 
 const SILENT = new Proxy({}, { get: () => () => {} });
 
-const net = describeNet((await load()).openRecipe('sheet:vertices=121'));
+const core = await load();
+const net = describeNet(core.openRecipe('sheet:vertices=121'));
 const handle = (vertex: number): HandleData => ({ vertex, target: [0, 0, 0], anchor: false });
 const choose = (...selection: number[]): Choice => ({
   selection,
@@ -99,6 +106,59 @@ describe('what goes while it has the focus leaves it to the picture:', () => {
     leaves(words.opening.cancel, () => notice.setOpening(false, false));
   });
 
+  test('messages, whose time is not up while they have it', () => {
+    vi.useFakeTimers();
+    vi.stubGlobal('window', { setTimeout });
+    const messages = new Messages();
+    messages.say('wrong', 'error');
+    leaves('×', () => page.button('×').tell('click'));
+    expect(messages.element.textContent).toBe('');
+    messages.offer('A new version is here.', 'Load it', () => {});
+    messages.offer('A new version is here.', 'Load it', () => {});
+    expect(messages.element.textContent).toBe('A new version is here.Load it×');
+    leaves('×', () => page.button('×').tell('click'));
+    messages.setNet();
+    messages.say('wrong', 'error');
+    leaves('×', () => messages.setNet());
+    messages.say('gone', 'info', { label: 'Undo', run: () => {} });
+    page.button('Undo').focus();
+    vi.advanceTimersByTime(60_000);
+    expect(page.activeElement).toBe(page.button('Undo'));
+    leaves('Undo', () => page.button('Undo').tell('click'));
+    messages.say('gone', 'info', { label: 'Undo', run: () => {} });
+    vi.advanceTimersByTime(60_000);
+    expect(messages.element.textContent).toBe('');
+    vi.useRealTimers();
+  });
+
+  test('the notice that a net came with nearly closed quads', () => {
+    const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 1.999, 0.02, 0, 0.999, 0.02, 0);
+    const mesh = { positions, faceStart: Int32Array.of(0, 4), faceVertices: Int32Array.of(0, 1, 2, 3) };
+    const sharp = describeNet(core.openMesh(mesh));
+    const notice = new SharpNotice(events);
+    notice.setDocument({ method: 'equilibrium', options: { shear_limit: 30 } } as unknown as ChebnetDocument);
+    const open = () => {
+      notice.setNet(sharp);
+      const moved = positions.map((x) => x + 1);
+      notice.setFrame({ positions: moved, handles: [] } as unknown as FrameData, 60, false);
+    };
+    open();
+    leaves(panelWords.sharp.accept, () => page.button(panelWords.sharp.accept).tell('click'));
+    open();
+    leaves(panelWords.sharp.accept, () => notice.setNet(sharp));
+  });
+
+  test('hints, of which the last leaves it, and each before to the next', () => {
+    vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => {} });
+    const app = { opening: null, isQuiet: true, on: () => {} };
+    const hints = new Hints(app as unknown as App, page.createElement('h1') as unknown as Element);
+    const done = page.button(panelWords.hints.done);
+    done.focus();
+    done.tell('click');
+    expect(page.activeElement).toBe(done);
+    leaves(panelWords.hints.done, () => hints.done('share'));
+  });
+
   test('not what has it elsewhere', () => {
     const notice = new OpeningNotice(() => {});
     notice.setOpening(true, true);
@@ -128,6 +188,33 @@ test('what a change would do is shown no longer than what is selected stays so',
   expect(shown.faded).toBe(true);
   panel.setHandles([handle(60)], choose());
   expect(shown).toEqual({ preview: [], faded: false });
+});
+
+test('of edges that have grown, lengths are told in edges as they are now', () => {
+  const set: (Snapping | null)[] = [];
+  const commands = { setSnapping: (snapping: Snapping | null) => set.push(snapping) } as unknown as HandleCommands;
+  const panel = new DragPanel(
+    commands,
+    () => {},
+    () => {},
+  );
+  panel.setNet(net);
+  const grown = { positions: net.restPositions, lengthScale: 1.25 } as unknown as FrameData;
+  panel.onFrame({ ...grown, lengthScale: 1 });
+  const row = page.all('label').find(({ textContent }) => textContent === panelWords.drag.toGrid)!;
+  const grid = page.all('input').find((each) => row.contains(each))!;
+  Object.assign(grid, { checked: true }).tell('change');
+  expect(set.at(-1)?.step).toBeCloseTo(net.info.edgeLength);
+  panel.onFrame(grown);
+  expect(set.at(-1)?.step).toBeCloseTo(1.25 * net.info.edgeLength);
+
+  const steps = new StepPanel(SILENT as PanelEvents, () => {});
+  steps.setNet(net);
+  const moved = net.restPositions.map((x, i) => (i === 0 ? x + 2.5 * net.info.edgeLength : x));
+  const trace = [{ iteration: 1, stage: 1, p: 0, energy: 1, step: 1, freeVertices: 1 }];
+  steps.onFrame({ ...grown, trace, stepFrom: net.restPositions, positions: moved } as unknown as FrameData);
+  steps.setFrame();
+  expect(page.all('dd')[0]!.textContent).toBe('2');
 });
 
 test('while thousands of handles are dragged, none is looked for among all of them', () => {

@@ -1,7 +1,8 @@
 /** Projects: what goes in comes out to the last bit, and nothing else does. */
-import { describe, expect, test } from 'vitest';
+import { describe, expect, test, vi } from 'vitest';
+import { ProjectRow } from '../../web/src/dialogs/project_row';
 import { asFileName } from '../../web/src/document/file_name';
-import type { HandleData, NetSource } from '../../web/src/document/document';
+import { type HandleData, LONGEST_PROJECT_NAME, type NetSource } from '../../web/src/document/document';
 import {
   checkSize,
   leastBytes,
@@ -13,6 +14,7 @@ import {
 import type { Project } from '../../web/src/document/project';
 import { sentenceOf } from '../../web/src/document/naming';
 import type { Entry, Snapshot } from '../../web/src/document/undo';
+import { documentHere } from './elements_here';
 import { documentAt, grid, million } from './nets';
 import { printedSeed, random } from './random';
 
@@ -36,8 +38,31 @@ test('a file has the name of its project, if that is a name', () => {
   expect(parseProject(projectText({ ...project, title: 'Halle "3"' })).title).toBe('Halle "3"');
   expect('title' in parseProject(projectText({ ...project, title: '' }))).toBe(false);
   const long = projectText({ ...project, title: 'x'.repeat(81) });
-  expect(() => parseProject(long)).toThrow(/title/);
+  expect(parseProject(long).title).toBe('x'.repeat(80));
   expect(['../a:b', ' .x ', 'Halle 3', '网'].map(asFileName)).toEqual(['a b', 'x', 'Halle 3', '网']);
+});
+
+test('a copy has a name of its own, however long the other is, and as a file it opens again', () => {
+  const page = documentHere();
+  const names: string[] = [];
+  const row = new ProjectRow({
+    isPresent: false,
+    picture: { width: 1, height: 1 },
+    longestName: LONGEST_PROJECT_NAME,
+    rename: () => {},
+    open: () => {},
+    copy: (name) => names.push(name),
+    delete: () => {},
+  });
+  const line = { id: 'a', name: '', date: null, picture: null, isElsewhere: false };
+  for (const title of ['hall', 'x'.repeat(255)]) {
+    row.update({ ...line, title });
+    page.button('Duplicate').tell('click');
+  }
+  vi.unstubAllGlobals();
+  expect(names).toEqual(['Copy of hall', `Copy of ${'x'.repeat(72)}`]);
+  const project = projectOf([stateAt(new Float64Array(3))]);
+  expect(parseProject(projectText({ ...project, title: names[1] })).title).toBe(names[1]);
 });
 
 test('a file tells which axis of a net is up that is not the present one, if that is known', () => {

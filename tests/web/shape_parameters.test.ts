@@ -60,6 +60,27 @@ test('the one that keys move stays ahead of nets that open meanwhile', async () 
   expect(rise.value).toBe('10');
 });
 
+test('one that is in hand again stays there when the net before is open', async () => {
+  move(rise, 10);
+  rise.value = '20';
+  rise.tell('input');
+  open('vault:rise=10');
+  ends();
+  await afterwards();
+  expect(rise.value).toBe('20');
+  rise.tell('change');
+  expect(asked).toEqual(['vault:rise=10', 'vault:rise=20']);
+  ends();
+  await afterwards();
+  // Let go, it is of the net that is open.
+  expect(rise.value).toBe('10');
+  rise.value = '15';
+  rise.tell('input');
+  rise.tell('pointerup');
+  open('vault:rise=20');
+  expect(rise.value).toBe('20');
+});
+
 test('another one is asked for with what was asked for before', () => {
   move(rise, 10);
   move(span, 20);

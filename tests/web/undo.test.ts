@@ -35,6 +35,24 @@ test('a gesture is one entry, whatever happens in it', () => {
   expect(history.canUndo).toBe(false);
 });
 
+test('a gesture that moves nothing has the name of what else was changed meanwhile, unless that was refused', () => {
+  const history = new UndoHistory();
+  const before = state(0);
+  history.beginGesture(before);
+  history.record(state(1), 'method');
+  expect(history.gestureHasChanges).toBe(true);
+  history.endGesture(null);
+  expect(history.names).toEqual(['', 'method']);
+  const refused = state(2);
+  history.beginGesture(state(1));
+  history.record(refused, 'option');
+  history.takeBack(refused);
+  expect(history.gestureHasChanges).toBe(false);
+  history.endGesture(null);
+  expect(history.names).toEqual(['', 'method']);
+  expect(history.undo(state(2))).toBe(before);
+});
+
 test('a gesture cannot be undone while it goes on', () => {
   const history = new UndoHistory();
   history.record(state(0), 'move');

@@ -63,8 +63,8 @@ export type AppServices = Pick<
 >;
 
 type Listener = (error?: unknown) => void;
-/** `changed`: anything in the document; `restarted`: the worker was lost. */
-export type AppEvent = 'frame' | 'settled' | 'error' | 'changed' | 'restarted';
+/** `changed`: anything in the document; `opening`: a net is about to be opened; `restarted`: the worker was lost. */
+export type AppEvent = 'frame' | 'settled' | 'error' | 'changed' | 'opening' | 'restarted';
 
 export class App {
   readonly handles: HandleEditor;
@@ -79,6 +79,7 @@ export class App {
     settled: new Set(),
     error: new Set(),
     changed: new Set(),
+    opening: new Set(),
     restarted: new Set(),
   };
   #making = Promise.resolve();
@@ -198,16 +199,19 @@ export class App {
   /** Opens a scene in place of the present one, to which undo returns. If it fails, the present one stays.
    *  @param change what the history calls it. */
   openScene(scene: Scene, change?: NamedChange): Promise<void> {
+    this.#emit('opening');
     return this.#opener.openScene(scene, change);
   }
 
   /** Opens a project with its history in place of the present one. If it fails, the present one stays. */
   openProject(project: Project): Promise<void> {
+    this.#emit('opening');
     return this.#opener.openProject(project);
   }
 
   /** Opens a net at rest, with the settings and the view of the present document, its own axis up. */
   openNet(net: NetSource, upAxis?: UpAxis): Promise<void> {
+    this.#emit('opening');
     return this.#opener.openNet(net, upAxis);
   }
 
@@ -451,14 +455,15 @@ export class App {
   /** Runs methods on the present edit, in a worker of their own. */
   compare({ methods, start }: ComparisonRequest): void {
     if (this.opening === null) return;
-    const { document, net } = this.opening;
+    const { document } = this.opening;
+    const { net, numbering } = document;
     const positions = start === 'rest' ? null : document.positions;
     const planOf = (method: string): RunPlan => ({
       label: words.core.method(method),
       style: this.#methods.indexOf(method), // the same in every comparison
       scene: { ...document, method, positions },
       threshold: this.#threshold(document),
-      net,
+      net: { net, numbering },
     });
     this.#run(methods.map(planOf));
   }
@@ -466,13 +471,14 @@ export class App {
   /** Runs these from rest, in a worker of their own; those without an edit of their own on the present one. */
   runAll(requests: readonly RunRequest[]): void {
     if (this.opening === null) return;
-    const { document, net } = this.opening;
+    const { document } = this.opening;
+    const { net, numbering } = document;
     const planOf = ({ label, edit, ...settings }: RunRequest, style: number): RunPlan => ({
       label,
       style,
       scene: { ...document, ...settings, ...(edit ? { ...edit, numbering: undefined } : {}), positions: null },
       threshold: this.#threshold(settings),
-      net: edit === undefined ? net : null,
+      net: edit === undefined ? { net, numbering } : null,
     });
     this.#run(requests.map(planOf));
   }

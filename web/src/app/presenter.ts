@@ -138,7 +138,7 @@ export class Presenter {
    *  shown: it has other vertices. */
   showRun(run: Run | null): void {
     const { opening } = this.#presented.state;
-    if (run === this.#shownRun || opening === null || (run && !canShow(run, opening.net))) return;
+    if (run === this.#shownRun || opening === null || (run && !canShow(run, opening.document))) return;
     this.#shownRun = run;
     this.view.setFrame(run?.frame ?? opening.frame);
     this.panels.setRuns(run, this.#runsBeside);
@@ -148,7 +148,7 @@ export class Presenter {
   /** Shows the nets of these runs beside the other, seen from the same place, and no more. */
   showBeside(wanted: readonly Run[]): void {
     const { opening } = this.#presented.state;
-    const runs = wanted.filter((run) => canShow(run, opening?.net ?? null));
+    const runs = wanted.filter((run) => canShow(run, opening?.document ?? null));
     if (opening === null || (runs.length === 0 && this.#runsBeside.length === 0)) return;
     this.#runsBeside = runs;
     const frames = runs.flatMap(({ frame }) => frame ?? []);

@@ -1,7 +1,7 @@
 /** What a comparison consists of, as plain data. */
 import type { TraceRow } from '../../../wasm/chebnet';
-import type { HandleSeed, NetSource, SolverSettings } from '../document/document';
-import type { FrameData, Measures, OpenedNet } from '../worker/protocol';
+import type { ChebnetDocument, HandleSeed, NetSource, SolverSettings } from '../document/document';
+import type { FrameData, Measures } from '../worker/protocol';
 import type { RunScene } from './run_solver';
 
 /** Settings for a run of the present edit. */
@@ -10,6 +10,9 @@ export interface RunRequest extends SolverSettings {
   /** Another edit in its place, from rest. */
   edit?: { net: NetSource; handles: HandleSeed[] };
 }
+
+/** A net by what it is made of: undo opens it anew, as the same. */
+export type NetOrigin = Pick<ChebnetDocument, 'net' | 'numbering'>;
 
 /** A run to be made. */
 export interface RunPlan {
@@ -20,8 +23,8 @@ export interface RunPlan {
   readonly scene: RunScene;
   /** dL below which it has converged. */
   readonly threshold: number;
-  /** As it was open when the run was asked for: only there its result can be shown. null: it is of another net. */
-  readonly net: OpenedNet | null;
+  /** The one that was open when the run was asked for: only there its result can be shown. null: it is of another net. */
+  readonly net: NetOrigin | null;
 }
 
 /** `ended`: the solver came to an end of its own, good or bad; `frame.status` says which. */
@@ -70,8 +73,12 @@ export function newRun(plan: RunPlan): Run {
 }
 
 /** Whether its net can be shown in the place of the one that is open. */
-export function canShow({ net, frame }: Run, open: OpenedNet | null): boolean {
-  return net !== null && net === open && frame !== null;
+export function canShow(run: Run, open: NetOrigin | null): boolean {
+  return run.frame !== null && isOf(run, open);
+}
+
+export function isOf({ net }: RunPlan, open: NetOrigin | null): boolean {
+  return net !== null && open !== null && net.net === open.net && net.numbering === open.numbering;
 }
 
 /** How many iterations the initialisation made before those of the method. */

@@ -1,10 +1,9 @@
 /** Placeholder for the results of a comparison, which are loaded on demand. */
-import type { Comparison, Run } from '../compare/run';
+import type { Comparison, NetOrigin, Run } from '../compare/run';
 import { lazy } from '../lazy';
 import type { ComparisonResults } from './results';
 import { make } from '../elements/dom';
 import type { Panel, PanelEvents } from '../panels';
-import type { OpenedNet } from '../worker/protocol';
 
 const loadResults = lazy(() => import('./results'));
 
@@ -14,7 +13,7 @@ export class ComparisonPlace implements Panel {
   #results: ComparisonResults | null = null;
   #comparison: Comparison | null = null;
   /** Others may have been opened before the results have come. */
-  #net: OpenedNet | null = null;
+  #net: NetOrigin | null = null;
   readonly #events: PanelEvents;
   readonly #failed: (error: unknown) => void;
 
@@ -36,9 +35,10 @@ export class ComparisonPlace implements Panel {
     this.#results?.setShown(run, beside);
   }
 
-  setNet(net: OpenedNet): void {
-    this.#net = net;
-    this.#results?.setNet(net);
+  setDocument({ net, numbering }: NetOrigin): void {
+    if (net === this.#net?.net && numbering === this.#net.numbering) return;
+    this.#net = { net, numbering };
+    this.#results?.setNet(this.#net);
   }
 
   async #load(): Promise<void> {

@@ -1,6 +1,6 @@
 /** The results of a comparison, below the picture: curves that grow, a table, and files of both. */
 import { tableCsv, tracesCsv } from '../compare/csv';
-import { canShow, type Comparison, type Run } from '../compare/run';
+import { canShow, type Comparison, type NetOrigin, type Run } from '../compare/run';
 import { download } from '../files/download';
 import { panelWords } from '../language/panels';
 import { savePicture } from './picture';
@@ -8,7 +8,6 @@ import { ComparisonPlot, type CurveStyle, type LineStyle } from './plot';
 import { ComparisonTable } from './table';
 import { make, makeButton, setText } from '../elements/dom';
 import type { PanelEvents } from '../panels';
-import type { OpenedNet } from '../worker/protocol';
 import './results.css';
 
 /** Interval between updates, in milliseconds: faster numbers cannot be read. */
@@ -35,7 +34,7 @@ export class ComparisonResults {
   #current: Run | null = null;
   #beside: readonly Run[] = [];
   /** The one that is open. */
-  #net: OpenedNet | null = null;
+  #net: NetOrigin | null = null;
   #timer = 0;
   readonly #events: PanelEvents;
 
@@ -79,7 +78,7 @@ export class ComparisonResults {
   }
 
   /** Of another net, those of the comparison cannot be shown in its place. */
-  setNet(net: OpenedNet): void {
+  setNet(net: NetOrigin): void {
     this.#net = net;
     this.#refreshTable();
   }

@@ -1,11 +1,10 @@
 /** The numbers of a comparison, one line a run. A click on a line shows its net. */
-import { canShow, type Run } from '../compare/run';
+import { canShow, isOf, type NetOrigin, type Run } from '../compare/run';
 import { words } from '../language/language';
 import { panelWords } from '../language/panels';
 import type { CurveStyle } from './plot';
 import { make, makeButton, setText } from '../elements/dom';
 import { count, milliseconds, NOTHING, small } from '../language/numbers';
-import type { OpenedNet } from '../worker/protocol';
 
 const DEGREES = 180 / Math.PI;
 
@@ -72,11 +71,12 @@ export class ComparisonTable {
   }
 
   /** @param current the run whose net is in the view. @param open the user's. */
-  refresh(current: Run | null, beside: readonly Run[], open: OpenedNet | null): void {
+  refresh(current: Run | null, beside: readonly Run[], open: NetOrigin | null): void {
     for (const row of this.#rows) {
       const { run, cells } = row;
       row.button.setAttribute('aria-pressed', String(run === current));
       row.beside.setAttribute('aria-pressed', String(beside.includes(run)));
+      row.button.title = panelWords.comparison[isOf(run, open) ? 'show' : 'otherNet'];
       row.button.disabled = row.beside.disabled = !canShow(run, open);
       COLUMNS.forEach(({ text }, i) => setText(cells[i]!, text(run) ?? NOTHING));
     }
@@ -86,10 +86,7 @@ export class ComparisonTable {
     const { colour, line } = this.#styleOf(run);
     const swatch = make('i', { class: `swatch ${line}` });
     swatch.style.setProperty('color', `var(${colour})`);
-    const button = makeButton(swatch, () => {}, {
-      class: 'plain',
-      title: run.net !== null ? panelWords.comparison.show : panelWords.comparison.otherNet,
-    });
+    const button = makeButton(swatch, () => {}, { class: 'plain' });
     button.append(run.label);
     const beside = makeButton(panelWords.comparison.beside, () => this.#events.showBeside(run), {
       class: 'plain link',

@@ -1,7 +1,7 @@
 /** A net being laid on a surface: the seed is dragged in the picture, the rest is set at the side, and the net follows.
  *  Cancel ends it at any time, and so does Escape, which ends what is being drawn first. */
-import type { Mesh, Point } from '../../../wasm/chebnet';
-import type { GuideSource, ViewState } from '../document/document';
+import type { Mesh, Point, RemeshOptions } from '../../../wasm/chebnet';
+import type { GuideSource, UpAxis } from '../document/document';
 import { createPicture } from '../drape/drape_picture';
 import type { Picture } from '../drape/drape_picture';
 import type {
@@ -50,7 +50,8 @@ export interface DrapeDialogParts {
   /** The visitor wants to bring a surface in a file; without it there is no such button. */
   fileWanted?: () => void;
   spawnWorker(): DrapeWorkerLike;
-  upAxis: ViewState['upAxis'];
+  /** Of the surface that the visitor brings. */
+  upAxis: UpAxis;
 }
 
 export class DrapeDialog implements DraperLike {
@@ -58,7 +59,7 @@ export class DrapeDialog implements DraperLike {
   readonly result: Promise<TakenNet | null>;
   readonly #dialog: HTMLDialogElement;
   readonly #given: GivenSurface | null;
-  readonly #up: ViewState['upAxis'];
+  readonly #givenUp: UpAxis;
   readonly #draping: Draping;
   readonly #picture: Picture;
   readonly #form: DrapeForm;
@@ -117,6 +118,9 @@ export class DrapeDialog implements DraperLike {
   /** Where the net is wanted to begin, until another seed is. */
   #seed: DrapeSettings['seed'] = [0, 0, 0];
   #shown: DrapedNet | RemeshedNet | null = null;
+  /** Settings of the net over the whole that is shown, and of the one that is being made. */
+  #madeWith: RemeshOptions = {};
+  #makesWith: RemeshOptions = {};
   #best: Proposal | null = null;
   #proposedFor = '';
   /** The net is the first one of its proposal. */
@@ -128,7 +132,7 @@ export class DrapeDialog implements DraperLike {
 
   constructor(root: HTMLElement, given: GivenSurface | null, parts: DrapeDialogParts) {
     this.#given = given;
-    this.#up = parts.upAxis;
+    this.#givenUp = parts.upAxis;
     this.#surface = given ?? { own: FIRST };
     this.#name = given?.name ?? FIRST;
     const picture = make('div', { class: 'picture' });
@@ -170,7 +174,7 @@ export class DrapeDialog implements DraperLike {
     });
     root.append(this.#dialog);
     this.#dialog.showModal();
-    this.#picture = createPicture(picture, TEXT.picture, parts.upAxis, {
+    this.#picture = createPicture(picture, TEXT.picture, {
       seedMoved: (ray) => this.#drapeFrom(ray),
       turned: (direction) => this.#turn(direction),
       seedBack: ({ position, direction }) => this.#turn(direction, position),
@@ -215,6 +219,11 @@ export class DrapeDialog implements DraperLike {
     this.#finish(null);
   }
 
+  /** Of the surface that is shown: z of our own, whatever is up in the one beside them. */
+  get #up(): UpAxis {
+    return this.#surface === this.#given ? this.#givenUp : 'z';
+  }
+
   /** What is drawn by points; null: points are singular vertices. */
   get #drawn(): DrapeArms | DrapeCuts | DrapeCreases | null {
     if (this.#form.isWhole) return this.#creases.isDrawing ? this.#creases : null;
@@ -252,7 +261,7 @@ export class DrapeDialog implements DraperLike {
   }
 
   #onOpened(surface: ShownSurface, length: number): void {
-    this.#picture.setSurface(surface);
+    this.#picture.setSurface(surface, this.#up);
     this.#arms.reset();
     this.#cuts.reset(surface.report.boundaryLoops);
     this.#creases.reset();
@@ -287,6 +296,7 @@ export class DrapeDialog implements DraperLike {
     this.#cuts.giveUp();
     this.#creases.giveUp();
     this.#results.setFault(words.core.sentence(message));
+    this.#showStanding();
   }
 
   // ------------------------------------------------------------------------------------------- a net over the whole of it
@@ -311,13 +321,17 @@ export class DrapeDialog implements DraperLike {
   #remesh(): void {
     if (!this.#form.isAllowed()) return;
     this.#setMaking(true);
-    this.#results.removeNet();
-    this.#draping.remesh({ ...this.#form.readWhole(), ...this.#singular.read(), ...this.#creases.read() });
+    this.#results.expectWholeNet();
+    this.#makesWith = this.#form.readWhole();
+    this.#draping.remesh({ ...this.#makesWith, ...this.#singular.read(), ...this.#creases.read() });
   }
 
+  /** A net that was made before is there again. */
   #stop(): void {
-    this.#setMaking(false);
     this.#draping.stop();
+    this.#cuts.giveUp();
+    this.#results.keepNet();
+    this.#setMaking(false);
   }
 
   #setMaking(making: boolean): void {
@@ -325,9 +339,11 @@ export class DrapeDialog implements DraperLike {
     this.#maker.setBusy(making);
     this.#singular.setBusy(making);
     this.#creases.setBusy(making);
+    this.#showStanding();
   }
 
   #onRemeshed(net: RemeshedNet): void {
+    this.#madeWith = this.#makesWith;
     this.#setMaking(false);
     this.#setNet(net);
     this.#picture.setNet(net, null);
@@ -360,8 +376,17 @@ export class DrapeDialog implements DraperLike {
   #setNet(net: DrapedNet | RemeshedNet | null): void {
     this.#shown = net;
     this.#isTaking &&= net !== null;
-    this.#take.disabled = net === null;
-    this.#maker.setWanted(net === null);
+    this.#showStanding();
+  }
+
+  /** Over the whole surface only a net of the settings in sight can be opened, or one is to be made first. A single piece follows
+   *  them at once; what is drawn and pinned is said to hold for the next net. */
+  #showStanding(): void {
+    const hasNet = this.#shown !== null;
+    const isOld = hasNet && this.#form.isWhole && !isSame(this.#form.readWhole(), this.#madeWith);
+    this.#take.disabled = !hasNet || this.#isMaking || isOld;
+    this.#maker.setWanted(!hasNet || isOld);
+    this.#results.setOutdated(isOld && !this.#isMaking);
   }
 
   #drapeFrom(seed: DrapeSettings['seed']): void {
@@ -376,7 +401,7 @@ export class DrapeDialog implements DraperLike {
   }
 
   #change(): void {
-    if (this.#form.isWhole) return this.#outdate();
+    if (this.#form.isWhole) return this.#changeWhole();
     this.#proposals.setStale(this.#proposable() !== this.#proposedFor);
     this.#drape();
   }
@@ -386,11 +411,10 @@ export class DrapeDialog implements DraperLike {
     return JSON.stringify({ ...this.#form.read(), direction: null });
   }
 
-  /** The net that is shown, or being made, is not of the settings any more. */
-  #outdate(): void {
+  /** A net that is being made is not of the settings any more. */
+  #changeWhole(): void {
     if (this.#isMaking) this.#stop();
-    this.#maker.setWanted(true);
-    this.#results.outdateNet();
+    this.#showStanding();
   }
 
   #drape(): void {
@@ -424,6 +448,11 @@ export class DrapeDialog implements DraperLike {
       net: { mesh, name: netName(this.#name) },
       handles: proposedHandles(net),
       guide: this.#surface,
+      upAxis: this.#up,
     };
   }
+}
+
+function isSame(settings: RemeshOptions, others: RemeshOptions): boolean {
+  return JSON.stringify(settings) === JSON.stringify(others);
 }

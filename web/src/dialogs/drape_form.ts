@@ -283,7 +283,8 @@ export class DrapeForm {
     show(this.#turn, `${this.#turn.input.value}°`);
     show(this.#angle, `${this.#angle.input.value}°`);
     show(this.#limit, `${this.#limit.input.value}°`);
-    if (isChange && this.#seed !== null) this.#events.changed();
+    // One piece has no direction before its first net.
+    if (isChange && (this.isWhole || this.#seed !== null)) this.#events.changed();
   }
 }
 

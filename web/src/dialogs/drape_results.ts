@@ -49,6 +49,12 @@ export class DrapeResults {
   #surface: SurfaceReport | null = null;
   #kind: 'piece' | 'whole' = 'piece';
   #net: DrapedNet | RemeshedNet | null = null;
+  /** The one that the facts are of. */
+  #measured: DrapedNet | RemeshedNet | null = null;
+  /** Another net is being made. */
+  #isExpecting = false;
+  /** The net is of other settings than are chosen now. */
+  #isOutdated = false;
   #againstFolds = '';
   #patience: ReturnType<typeof setTimeout> | undefined;
 
@@ -98,7 +104,7 @@ export class DrapeResults {
 
   /** A net is being made, which the facts are not of; setNet(), keepNet() or setFault() ends that. */
   expectNet(): void {
-    this.#facts.classList.add('stale');
+    this.#expect();
     this.#patience ??= setTimeout(() => setText(this.#making, TEXT.making), PATIENCE_MS);
   }
 
@@ -106,22 +112,40 @@ export class DrapeResults {
     clearTimeout(this.#patience);
     this.#patience = undefined;
     setText(this.#making, '');
+    this.#isExpecting = false;
+    this.#showStanding();
+  }
+
+  #expect(): void {
+    this.#isExpecting = true;
+    this.#showStanding();
+  }
+
+  #showStanding(): void {
+    this.#facts.classList.toggle('stale', this.#isExpecting || this.#isOutdated || this.#measured !== this.#net);
+  }
+
+  /** Likewise over the whole surface; how far it is, is said elsewhere. */
+  expectWholeNet(): void {
+    this.#expect();
+    this.#fault.hidden = true;
   }
 
   /** None was made. */
   keepNet(): void {
     this.#expectNone();
-    this.#facts.classList.remove('stale');
   }
 
-  /** The facts are of other settings than are chosen now. */
-  outdateNet(): void {
-    this.#facts.classList.add('stale');
+  /** Whether the facts are of other settings than are chosen now. */
+  setOutdated(outdated: boolean): void {
+    this.#isOutdated = outdated;
+    setText(this.#making, outdated ? TEXT.outdated : '');
+    this.#showStanding();
   }
 
   removeNet(): void {
+    [this.#net, this.#measured, this.#isOutdated] = [null, null, false];
     this.#expectNone();
-    this.#net = null;
     this.#sayProspect();
     this.#facts.replaceChildren();
     this.#fault.hidden = true;
@@ -129,18 +153,18 @@ export class DrapeResults {
 
   /** @param againstFolds of a net over the whole surface, what to do if it folds. */
   setNet(net: DrapedNet | RemeshedNet, againstFolds = ''): void {
-    this.#expectNone();
     this.#net = net;
     this.#againstFolds = againstFolds;
     this.#fault.hidden = true;
     // The other rows stay until they are measured anew: they would flicker while the seed is dragged.
-    this.#facts.classList.add('stale');
+    this.#expectNone();
   }
 
   /** @param measuring time that took, milliseconds. */
   setReport(report: DrapeReport, measuring: number): void {
     if (this.#net === null) return;
-    this.#facts.classList.remove('stale');
+    this.#measured = this.#net;
+    this.#showStanding();
     this.#reviseProspect(this.#net, report);
     const { net } = this.#net;
     const { faces, vertices } = net.info;

@@ -108,7 +108,8 @@ export class FileOpener {
         equalized === 'newNet'
           ? await this.#draped({ name, mesh: await reading.mesh(repaired) }, upAxis, dialog)
           : equalized && takenNet(name, equalized);
-      if (taken !== null) return { ...taken, upAxis };
+      // One of our own surfaces may have been chosen instead, which lies otherwise.
+      if (taken !== null) return { upAxis, ...taken };
     }
   }
 

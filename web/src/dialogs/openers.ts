@@ -82,7 +82,7 @@ export class Openers {
     const { faceStart, faceVertices } = net;
     const mesh = { positions, faceStart, faceVertices };
     const taken = await this.#createDraper({ name, mesh }, upAxis ?? 'z').result;
-    if (taken !== null) await this.#open({ ...taken, ...(upAxis && { upAxis }) });
+    if (taken !== null) await this.#open(taken);
   }
 
   /** On one of our own surfaces, or on one from a file. */

@@ -47,7 +47,7 @@ export class ProjectRow {
     this.#name = make('input', { maxlength: parts.longestName, spellcheck: 'false' });
     this.#name.addEventListener('change', () => parts.rename(this.#name.value.trim()));
     this.#open = makeButton(TEXT.open, () => parts.open(), { disabled: parts.isPresent });
-    this.#copy = makeButton(TEXT.copy, () => parts.copy(TEXT.copyOf(this.#called)));
+    this.#copy = makeButton(TEXT.copy, () => parts.copy(this.#copyName));
     this.#delete = makeButton(TEXT.delete, () => parts.delete(this.#called));
     this.element = make(
       'li',
@@ -56,6 +56,12 @@ export class ProjectRow {
       make('div', { class: 'about' }, this.#name, this.#about),
       make('div', { class: 'ways' }, this.#open, this.#copy, this.#delete),
     );
+  }
+
+  /** Of a long name as much as leaves room for what says that it is a copy. */
+  get #copyName(): string {
+    const room = this.#parts.longestName - TEXT.copyOf('').length;
+    return TEXT.copyOf(this.#called.slice(0, room));
   }
 
   update({ name, title, date, picture, isElsewhere }: ProjectLine): void {

@@ -1,6 +1,7 @@
 /** The projects that this browser keeps: pictures to open, names to change, copies, and a way back from deleting. */
 import { setChildren } from '../elements/children';
 import { make, makeButton, setText } from '../elements/dom';
+import { setHidden } from '../elements/leave';
 import { messageOf } from '../failure';
 import { words } from '../language/language';
 import { dialogWords } from '../language/dialogs';
@@ -27,6 +28,7 @@ export class ProjectsDialog {
   readonly #list = make('ul', { class: 'kept' });
   readonly #said = make('p', { role: 'status' });
   readonly #back = makeButton(TEXT.back, () => {}, { hidden: true });
+  readonly #close = makeButton(TEXT.close, () => this.#dialog.close(), { class: 'primary', autofocus: true });
   /** The net that is open, before anything of it was kept. */
   readonly #notKept = make(
     'li',
@@ -49,11 +51,7 @@ export class ProjectsDialog {
       heading,
       make('div', { class: 'body' }, this.#list),
       make('div', { class: 'said' }, this.#said, this.#back),
-      make(
-        'div',
-        { class: 'buttons' },
-        makeButton(TEXT.close, () => this.#dialog.close(), { class: 'primary', autofocus: true }),
-      ),
+      make('div', { class: 'buttons' }, this.#close),
     );
     // The page's shortcuts are off while the dialog is open.
     this.#dialog.addEventListener('keydown', (event) => event.stopPropagation());
@@ -109,12 +107,16 @@ export class ProjectsDialog {
   async #bringBack(): Promise<void> {
     await this.#takeBack?.();
     this.#takeBack = null;
-    this.#back.hidden = true;
+    this.#hideBack();
     await this.#refresh();
   }
 
+  #hideBack(): void {
+    setHidden(this.#back, true, this.#close);
+  }
+
   #change(doing: () => Promise<void>): void {
-    this.#back.hidden = true;
+    this.#hideBack();
     this.#try(async () => {
       await doing();
       await this.#refresh();

@@ -194,7 +194,7 @@ export function readProject(value: unknown): Project {
   if (states.length === 0 || states.length > MOST_STATES)
     project.at('states').fail(panelWords.project.states(MOST_STATES));
   const entries = states.map((state) => readEntry(reader, state, nets, positions, guides));
-  const title = project.at('title').maybe((each) => each.text(LONGEST_PROJECT_NAME));
+  const title = project.at('title').maybe((each) => each.name(LONGEST_PROJECT_NAME));
   const present = project.at('present').index(entries.length);
   return { entries, present, view: reader.view(project.at('view')), ...(title && { title }) };
 }

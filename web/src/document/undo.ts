@@ -46,6 +46,8 @@ export class UndoHistory implements HistoryView {
   #present = 0;
   #forgotten = 0;
   #gesture: Snapshot | null = null;
+  /** Changes that have become part of the gesture. */
+  #within: { before: Snapshot; name: ChangeName }[] = [];
   #lastKey: string | null = null;
   /** Those that could be gone forward to when a change was last recorded. */
   #namesAhead: ChangeName[] = [];
@@ -87,6 +89,11 @@ export class UndoHistory implements HistoryView {
     return this.#gesture;
   }
 
+  /** Whether a change has become part of it. */
+  get gestureHasChanges(): boolean {
+    return this.#within.length > 0;
+  }
+
   get revision(): number {
     return this.#revision;
   }
@@ -111,7 +118,7 @@ export class UndoHistory implements HistoryView {
    * entry, of the last name. Within a gesture a change is part of the gesture.
    */
   record(before: Snapshot, name: ChangeName, key: string | null = null): void {
-    if (this.#gesture !== null) return;
+    if (this.#gesture !== null) return void this.#within.push({ before, name });
     const joins = key !== null && key === this.#lastKey;
     this.#lastKey = key;
     if (joins) this.#names[this.#present] = name;
@@ -122,6 +129,7 @@ export class UndoHistory implements HistoryView {
   /** Takes back the change last recorded, which began at `before`: it failed. What it had put an end to can be gone to again.
    *  False: it was not the last, or joined one before, or a gesture goes on; its entry stays. */
   takeBack(before: Snapshot): boolean {
+    this.#within = this.#within.filter((each) => each.before !== before);
     if (this.#gesture !== null || this.#states[this.#present - 1] !== before) return false;
     this.#lastKey = null;
     this.#names.splice(this.#present, Infinity, ...this.#namesAhead);
@@ -133,17 +141,21 @@ export class UndoHistory implements HistoryView {
 
   /** Before the first change of a gesture. */
   beginGesture(before: Snapshot): void {
-    this.#gesture ??= before;
+    if (this.#gesture !== null) return;
+    this.#gesture = before;
+    this.#within = [];
   }
 
-  /** After its last change; a gesture without a name changed nothing and leaves no entry. */
+  /** After its last change. A gesture without a name has that of the last change that became part of it; it changed nothing
+   *  and leaves no entry if there was none. */
   endGesture(name: ChangeName | null): void {
     const before = this.#gesture;
     if (before === null) return;
+    const called = name ?? this.#within.at(-1)?.name;
     this.#gesture = null;
     this.#lastKey = null;
-    if (name === null) return this.#changed();
-    this.#push(before, name);
+    if (called === undefined) return this.#changed();
+    this.#push(before, called);
     this.#revised();
   }
 

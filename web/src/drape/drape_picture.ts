@@ -2,7 +2,7 @@
  *  one beside it around the seed; a drag elsewhere moves the camera. Arrow keys move the seed, too. */
 import { DirectionalLight, HemisphereLight, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import type { Point, SurfacePlace } from '../../../wasm/chebnet';
-import type { ViewState } from '../document/document';
+import type { UpAxis } from '../document/document';
 import { ARROW_KEYS } from '../elements/keys';
 import { fieldOf, scaleOf } from '../fields/fields';
 import { words } from '../language/language';
@@ -14,7 +14,7 @@ import { NetFaces } from '../view/net_faces';
 import { NetLines } from '../view/net_lines';
 import { createNotice, probeGraphics } from '../view/notice';
 import type { Place } from '../view/overlay';
-import { type Projection, projectionOf } from '../view/picking';
+import { pointerKind, type Projection, projectionOf } from '../view/picking';
 import { endRenderer, onPixelRatioChange, pixelRatio } from '../view/renderer';
 import { Space } from '../view/space';
 import { onThemeChange, readTheme } from '../view/theme';
@@ -53,7 +53,7 @@ export interface PictureEvents {
 
 /** What is wanted of either view: with WebGL, or without any. */
 export interface Picture {
-  setSurface(surface: ShownSurface): void;
+  setSurface(surface: ShownSurface, upAxis: UpAxis): void;
   /** @param seed from which it has been laid; null: it has none. */
   setNet(shown: ShownNet, seed: Seed | null): void;
   removeNet(): void;
@@ -74,14 +74,9 @@ export interface Picture {
   dispose(): void;
 }
 
-export function createPicture(
-  container: HTMLElement,
-  label: string,
-  upAxis: ViewState['upAxis'],
-  events: PictureEvents,
-): Picture {
+export function createPicture(container: HTMLElement, label: string, events: PictureEvents): Picture {
   const graphics = probeGraphics();
-  if (graphics !== 'none') return new DrapePicture(container, label, upAxis, events, graphics);
+  if (graphics !== 'none') return new DrapePicture(container, label, events, graphics);
   const notice = createNotice(container);
   notice.show(words.view.noGraphics);
   return {
@@ -110,7 +105,7 @@ const SLACK = { mouse: 5, touch: 16 };
 const BEHIND = 0.5;
 const DEGREE = Math.PI / 180;
 /** A pointer that moves no farther than that between down and up has clicked, pixels. */
-const STILL = 5;
+const STILL = { mouse: 5, touch: 8 };
 interface Grip {
   pointer: number;
   /** To where a ray goes, through a place of the canvas. */
@@ -140,7 +135,6 @@ class DrapePicture implements Picture {
   readonly #stopThemes: () => void;
   readonly #stopRatios: () => void;
   readonly #container: HTMLElement;
-  readonly #upAxis: ViewState['upAxis'];
   readonly #graphics: 'card' | 'software';
   readonly #events: PictureEvents;
   #space: Space | null = null;
@@ -162,15 +156,8 @@ class DrapePicture implements Picture {
   /** Where a pointer went down that may be a click. */
   #pressed: Place | null = null;
 
-  constructor(
-    container: HTMLElement,
-    label: string,
-    upAxis: ViewState['upAxis'],
-    events: PictureEvents,
-    graphics: 'card' | 'software',
-  ) {
+  constructor(container: HTMLElement, label: string, events: PictureEvents, graphics: 'card' | 'software') {
     this.#container = container;
-    this.#upAxis = upAxis;
     this.#graphics = graphics;
     this.#events = events;
     this.#renderer = new WebGLRenderer({ antialias: graphics === 'card', alpha: true });
@@ -192,8 +179,8 @@ class DrapePicture implements Picture {
     this.#resize();
   }
 
-  setSurface(surface: ShownSurface): void {
-    this.#space = new Space(surface.positions, this.#upAxis);
+  setSurface(surface: ShownSurface, upAxis: UpAxis): void {
+    this.#space = new Space(surface.positions, upAxis);
     this.#forgetNet();
     this.#shade.setSurface(surface, this.#space);
     this.#direction.copy(directionFor());
@@ -302,6 +289,8 @@ class DrapePicture implements Picture {
   #down(event: PointerEvent): void {
     this.#aim = null;
     if (this.#grip !== null) return event.stopPropagation();
+    // A second finger turns or enlarges, also if the first one has stood still.
+    if (!event.isPrimary) this.#pressed = null;
     if (event.button !== 0 || !event.isPrimary) return;
     this.#pressed = this.#isCutting ? this.#place(event) : null;
     this.#grip = this.#gripOfMark(event) ?? this.#gripOfSeed(event);
@@ -332,13 +321,14 @@ class DrapePicture implements Picture {
   #gripOfMark(event: PointerEvent): Grip | null {
     const start = this.#place(event);
     const mark = this.#markAt(event);
+    const still = STILL[pointerKind(event)];
     if (mark === null) return null;
     this.#events.markChosen(mark);
     let hasMoved = false;
     return {
       pointer: event.pointerId,
       moved: (ray, { x, y }) => {
-        if (!hasMoved && Math.hypot(x - start.x, y - start.y) <= STILL) return;
+        if (!hasMoved && Math.hypot(x - start.x, y - start.y) <= still) return;
         if (!hasMoved) this.#events.markTaken();
         hasMoved = true;
         this.#events.markMoved(mark, ray);
@@ -383,7 +373,7 @@ class DrapePicture implements Picture {
     this.#pressed = null;
     if (pressed === null || event.type !== 'pointerup' || !event.isPrimary) return;
     const place = this.#place(event);
-    if (Math.hypot(place.x - pressed.x, place.y - pressed.y) > STILL) return;
+    if (Math.hypot(place.x - pressed.x, place.y - pressed.y) > STILL[pointerKind(event)]) return;
     this.#renderer.domElement.focus();
     this.#events.pointed(this.#rayThrough(place));
   }
@@ -477,12 +467,12 @@ class DrapePicture implements Picture {
   }
 
   #markAt(event: PointerEvent): number | null {
-    return this.#dots.at(this.#place(event), SLACK[event.pointerType === 'touch' ? 'touch' : 'mouse']);
+    return this.#dots.at(this.#place(event), SLACK[pointerKind(event)]);
   }
 
   #markerAt(event: PointerEvent): number | null {
     const { x, y } = this.#place(event);
-    const slack = SLACK[event.pointerType === 'touch' ? 'touch' : 'mouse'];
+    const slack = SLACK[pointerKind(event)];
     const marker = this.#markers.at(this.#projection(), x, y, slack);
     return marker === SEED || marker === KNOB ? marker : null;
   }

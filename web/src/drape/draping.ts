@@ -20,6 +20,9 @@ import type {
 /** A net that has stood still for so many milliseconds is measured: that takes longer than laying it. */
 const STILL_MS = 120;
 
+/** What is still wanted when a net that was being made is given up: answers to these come from the next worker. */
+const OUTLASTING: readonly DrapeRequest['type'][] = ['propose', 'trace', 'place'];
+
 /** The part of a `Worker` that is used. */
 export interface DrapeWorkerLike {
   postMessage(request: DrapeRequest): void;
@@ -119,13 +122,15 @@ export class Draping {
     this.#askOfSurface({ type: 'remesh', options });
   }
 
-  /** Gives up what is being made; the surface stays open. */
+  /** Gives up what is being made, and cuts that were to be proposed; the surface stays open. */
   stop(): void {
+    const wanted = [this.#asked, ...this.#waiting].filter((each) => each !== null && OUTLASTING.includes(each.type));
     this.close();
     this.#begin();
     if (this.#source === null) return;
     this.#isReopening = true;
     this.#ask({ type: 'open', source: this.#source });
+    for (const request of wanted) this.#ask(request!);
   }
 
   close(): void {

@@ -37,13 +37,21 @@ function makeShield(view: HTMLElement): HTMLElement {
 }
 
 /** Leads to the editor as a page of its own, with the scene as it is at that moment. */
-function makeWayOut(app: App): HTMLElement {
+export function makeWayOut(app: App): HTMLElement {
   const link = make(
     'a',
     { class: 'way-out', href: location.pathname, target: '_blank', rel: 'noopener' },
     embedWords.open,
   );
-  link.addEventListener('click', () => (link.href = location.pathname + (hashOf(app).hash ?? '')));
+  const update = (event: Event): void => {
+    const { hash } = hashOf(app);
+    link.href = location.pathname + (hash ?? '');
+    if (hash !== null || event.type === 'pointerdown') return;
+    event.preventDefault(); // it would lead to another net
+    app.say(embedWords.tooLarge);
+  };
+  // By whatever button or menu it is opened or copied; a drag takes the address of when the pointer went down.
+  for (const way of ['pointerdown', 'click', 'auxclick', 'contextmenu']) link.addEventListener(way, update);
   return link;
 }
 

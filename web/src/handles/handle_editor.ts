@@ -142,14 +142,15 @@ export class HandleEditor implements HandleCommands {
    *  @param name what the history calls it. */
   async set(handles: readonly HandleData[], name: ChangeName = ['handles']): Promise<void> {
     const before = this.#host.before();
+    const after = [...handles];
     this.#history.record(before, name);
-    this.#host.change({ handles: [...handles] });
+    this.#host.change({ handles: after });
     try {
       await this.#client.setHandles(targetsOf(handles));
     } catch (error) {
       // A solver that replaces a lost one takes them from the document.
       if (!this.#client.returning) {
-        this.#takeBack(before);
+        this.#takeBack(before, after);
         throw error;
       }
     }
@@ -360,19 +361,20 @@ export class HandleEditor implements HandleCommands {
     // The requests are sent now, in this order, so that a caller's next request comes after them.
     const limited = this.#guide.limit(verticesOf(both), this.#locality);
     const asked = Promise.all([limited, this.#client.drag(both, inHand), ...(inHand ? [this.#client.release()] : [])]);
-    this.#host.change({ handles: this.#withTargets(both) });
+    const after = this.#withTargets(both);
+    this.#host.change({ handles: after });
     try {
       await asked;
     } catch (error) {
-      this.#takeBack(before);
+      this.#takeBack(before, after);
       throw error;
     }
   }
 
-  /** A change of handles, which began at `before`, was refused. */
-  #takeBack(before: Snapshot): void {
-    this.#history.takeBack(before);
-    this.#host.change({ handles: [...before.handles] });
+  /** A change of handles, from those of `before`, was refused. What has been done since stays. */
+  #takeBack(before: Snapshot, after: readonly HandleData[]): void {
+    const wasLast = this.#history.takeBack(before);
+    if (wasLast || this.#handles === after) this.#host.change({ handles: [...before.handles] });
   }
 
   /** Likewise, as far as the net goes if drags are kept within reach. */
@@ -444,8 +446,9 @@ export class HandleEditor implements HandleCommands {
   endDrag(cancelled: boolean): void {
     // A new solver on its way does not know yet where the handles were released.
     if (cancelled || !this.#client.returning) this.#pendingTargets = null;
+    const hasChanged = this.#dragName !== null || this.#history.gestureHasChanges;
     const before = cancelled ? this.#history.cancelGesture() : null;
-    if (before && this.#dragName !== null) this.#host.restore(before);
+    if (before && hasChanged) this.#host.restore(before);
     else if (this.#dragName !== null && this.#history.inGesture && !this.#client.returning)
       this.#host.attempt(this.#client.release());
     this.#history.endGesture(this.#dragName);

@@ -1,6 +1,7 @@
 /** Three hints for newcomers, one after another below the title, clear of the net; gone for good once followed or dismissed. */
 import type { App } from '../app/app';
 import { make, makeButton, setText } from '../elements/dom';
+import { setHidden } from '../elements/leave';
 import { panelWords } from '../language/panels';
 import type { Opening } from '../worker/opening';
 import './hints.css';
@@ -39,13 +40,18 @@ export class Hints {
   /** The hint is not shown again. */
   done(hint: Hint): void {
     if (this.#done.has(hint)) return;
-    this.#done.add(hint);
-    remember(this.#done);
+    this.#note(hint);
     if (this.#shown === hint) this.#set(null);
   }
 
+  #note(hint: Hint): void {
+    this.#done.add(hint);
+    remember(this.#done);
+  }
+
+  /** The next one follows at once, on the same button. */
   #dismiss(): void {
-    if (this.#shown) this.done(this.#shown);
+    if (this.#shown) this.#note(this.#shown);
     this.#show();
   }
 
@@ -71,7 +77,7 @@ export class Hints {
 
   #set(hint: Hint | null): void {
     this.#shown = hint;
-    this.#element.hidden = hint === null;
+    setHidden(this.#element, hint === null);
     setText(this.#text, hint === null ? '' : panelWords.hints[hint]);
   }
 }

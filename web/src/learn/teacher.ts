@@ -19,8 +19,8 @@ const MOST_STEPS = 60;
 export class Teacher {
   readonly #app: App;
   #lesson = new AbortController();
-  /** A handle is ahead of the net: lessons about the solver go on from there. */
-  #isAhead = false;
+  /** Whether a handle is ahead of the net: lessons about the solver go on from there. */
+  #ahead: 'no' | 'going' | 'there' = 'no';
   /** Those from before the lesson that changes them. */
   #colours: Pick<ViewState, 'field' | 'colourMap'> | null = null;
 
@@ -28,14 +28,16 @@ export class Teacher {
     this.#app = app;
     // In the capture phase: before the view handles the event.
     for (const touch of ['pointerdown', 'keydown'])
-      addEventListener(touch, (event) => isOfLessons(event) || this.#end(event), { capture: true });
+      addEventListener(touch, (event) => isOfLessons(event) || this.#endFor(event), { capture: true });
+    // Another net is to take the place of the one that is taught on.
+    app.on('opening', () => this.#end());
   }
 
   async show(lesson: Lesson): Promise<void> {
     this.#lesson.abort();
     this.#lesson = new AbortController();
     const { signal } = this.#lesson;
-    if (lesson !== 'stages') this.#letGo();
+    if (lesson !== 'stages' || this.#ahead === 'going') this.#letGo();
     this.#takeColoursBack();
     if (lesson === 'deviation') return this.#colour();
     const handle = this.#app.opening?.document.handles.filter(({ anchor, hidden }) => !anchor && !hidden).at(-1);
@@ -45,11 +47,15 @@ export class Teacher {
     else await this.#stage(handle, signal);
   }
 
-  #end({ target }: Event): void {
+  /** Turned or dragged, the net shows more of its colours. */
+  #endFor({ target }: Event): void {
+    this.#end(target instanceof HTMLCanvasElement);
+  }
+
+  #end(keepsColours = false): void {
     this.#lesson.abort();
     this.#letGo();
-    // Turned or dragged, the net shows more of its colours.
-    if (!(target instanceof HTMLCanvasElement)) this.#takeColoursBack();
+    if (!keepsColours) this.#takeColoursBack();
   }
 
   #colour(): void {
@@ -65,8 +71,8 @@ export class Teacher {
 
   /** The net is as it was before the handle went ahead: shape, handles and method. */
   #letGo(): void {
-    if (!this.#isAhead) return;
-    this.#isAhead = false;
+    if (this.#ahead === 'no') return;
+    this.#ahead = 'no';
     this.#app.handles.endDrag(true);
   }
 
@@ -91,10 +97,11 @@ export class Teacher {
   /** The handle far ahead of the net, which has made one step after it. */
   async #stepAhead({ vertex, target }: HandleData, signal: AbortSignal): Promise<void> {
     this.#letGo();
-    this.#isAhead = true;
+    this.#ahead = 'going';
     this.#app.handles.beginDrag();
     await this.#setMethod(TAUGHT_METHOD);
     if (signal.aborted) return;
+    this.#ahead = 'there';
     // The step is requested before the solver starts by itself.
     this.#app.handles.drag([{ vertex, target: this.#inwards(target, MUCH) }]);
     await this.#app.step();
@@ -103,7 +110,7 @@ export class Teacher {
 
   /** Step by step to the next stage, or to the end. */
   async #stage(handle: HandleData, signal: AbortSignal): Promise<void> {
-    if (!this.#isAhead) await this.#stepAhead(handle, signal);
+    if (this.#ahead === 'no') await this.#stepAhead(handle, signal);
     const stage = this.#frame()?.stage;
     for (let steps = 0; steps < MOST_STEPS && !signal.aborted; ++steps) {
       if (this.#frame()?.status !== 'running' || this.#frame()?.stage !== stage) break;

@@ -13,7 +13,9 @@ export async function keepOffline(offer: (accept: () => void) => void, reload: (
     if (worker === null || registration.active === null || known.has(worker)) return;
     known.add(worker);
     const look = (): void => {
-      if (worker.state === 'installed') offer(() => goOverTo(worker, reload));
+      // Until it is accepted another version may have come in its place.
+      if (worker.state === 'installed')
+        offer(() => goOverTo(registration.waiting ?? registration.active ?? worker, reload));
     };
     worker.addEventListener('statechange', look);
     look();

@@ -1,6 +1,7 @@
 /** Toasts, read out by screen readers. An error stays until it is dismissed, and no message outlives what it speaks of. */
 import { words } from '../language/language';
 import { make, makeButton } from '../elements/dom';
+import { leave, takeAway } from '../elements/leave';
 import type { Action, Panel } from '../panels';
 import './messages.css';
 
@@ -14,6 +15,8 @@ export class Messages implements Panel {
   readonly #offers = make('div', { role: 'status' });
   readonly #errors = make('div', { role: 'alert' });
   readonly element = make('div', { class: 'messages' }, this.#infos, this.#offers, this.#errors);
+  /** By what they say. */
+  readonly #offered = new Map<string, HTMLElement>();
   #timer = 0;
   #hasNet = false;
 
@@ -30,15 +33,18 @@ export class Messages implements Panel {
 
   /** Takes away all but what is offered. */
   unsay(): void {
-    for (const place of [this.#infos, this.#errors]) place.replaceChildren();
+    for (const place of [this.#infos, this.#errors]) fill(place);
   }
 
-  /** A message that stays until the user accepts or dismisses it. */
+  /** A message that stays until the user accepts or dismisses it, or the same is offered again. */
   offer(message: string, button: string, accept: () => void): void {
     const line = make('p', { class: 'message' }, make('span', {}, message));
+    const before = this.#offered.get(message);
+    if (before) takeAway(before);
+    this.#offered.set(message, line);
     line.append(
       makeAct(line, { label: button, run: accept }),
-      makeDismiss(() => line.remove()),
+      makeDismiss(() => takeAway(line)),
     );
     this.#offers.append(line);
   }
@@ -46,16 +52,30 @@ export class Messages implements Panel {
   #sayInfo(message: string, action?: Action): void {
     const line = make('p', { class: 'message' }, make('span', {}, message));
     if (action) line.append(makeAct(line, action));
-    this.#infos.replaceChildren(line);
+    fill(this.#infos, line);
+    this.#takeAwayLater(line, action ? OFFER_MS : INFO_MS);
+  }
+
+  /** Not while its button has the focus: whoever has come there is about to decide. */
+  #takeAwayLater(line: HTMLElement, delay: number): void {
     clearTimeout(this.#timer);
-    this.#timer = window.setTimeout(() => line.remove(), action ? OFFER_MS : INFO_MS);
+    this.#timer = window.setTimeout(
+      () => (line.contains(document.activeElement) ? this.#takeAwayLater(line, INFO_MS) : line.remove()),
+      delay,
+    );
   }
 
   #sayError(message: string): void {
     const line = make('p', { class: 'message error' }, make('span', {}, message));
-    line.append(makeDismiss(() => line.remove()));
-    this.#errors.replaceChildren(line);
+    line.append(makeDismiss(() => takeAway(line)));
+    fill(this.#errors, line);
   }
+}
+
+/** In place of what was said there. */
+function fill(place: HTMLElement, ...lines: HTMLElement[]): void {
+  leave(place);
+  place.replaceChildren(...lines);
 }
 
 /** The cross of what may be put away. */
@@ -66,7 +86,7 @@ export function makeDismiss(run: () => void): HTMLButtonElement {
 /** The button of a message, which goes once its decision is made. */
 function makeAct(line: HTMLElement, { label, run }: Action): HTMLButtonElement {
   const act = (): void => {
-    line.remove();
+    takeAway(line);
     run();
   };
   return makeButton(label, act, { class: 'plain link' });

@@ -3,6 +3,7 @@ import { METHOD_AT_REST } from '../document/defaults';
 import type { ChebnetDocument } from '../document/document';
 import { longestMove } from '../document/longest_move';
 import { make, makeButton, setText } from '../elements/dom';
+import { showLine } from '../elements/leave';
 import { panelWords } from '../language/panels';
 import { sharpQuads } from '../net/fold';
 import type { Tables } from '../net/tables';
@@ -60,7 +61,7 @@ export class SharpNotice implements Panel {
     const count = sharpQuads(this.#net, restPositions, this.#limit.of(this.#document)).size;
     if (count === 0) return;
     setText(this.#words, panelWords.sharp.opened(count, move.toFixed(2)));
-    this.element.replaceChildren(this.#line);
+    showLine(this.element, this.#line, true);
   }
 
   /** Otherwise the net moved because it was edited. */
@@ -70,6 +71,6 @@ export class SharpNotice implements Panel {
   }
 
   #hide(): void {
-    this.element.replaceChildren();
+    showLine(this.element, this.#line, false);
   }
 }

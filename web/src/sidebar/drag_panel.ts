@@ -50,8 +50,9 @@ export class DragPanel implements Panel {
     this.#snap.setNet(net);
   }
 
-  onFrame({ positions }: FrameData): void {
+  onFrame({ positions, lengthScale }: FrameData): void {
     this.#present.positions = positions;
+    this.#snap.setLengthScale(lengthScale);
   }
 
   setHandles(handles: readonly HandleData[], { selection }: Choice): void {

@@ -21,6 +21,8 @@ export class ShapeParameters {
   #recipe: Recipe | null = null;
   /** What was asked for last; null: that is open. */
   #asked: Recipe | null = null;
+  /** In hand: moved, and not yet let go. */
+  #held: HTMLInputElement | null = null;
   readonly #open: (recipe: string) => Promise<void>;
 
   /** @param open resolves once the last recipe that was asked for is open, or refused. */
@@ -43,6 +45,7 @@ export class ShapeParameters {
   #makeSliders(shape: ShapeInfo | null): void {
     this.#shape = shape;
     this.#asked = null;
+    this.#held = null;
     // Where undo leads to another shape, a parameter that both have keeps the focus.
     const focused = (document.activeElement as HTMLElement | null)?.dataset['parameter'];
     this.#sliders = shape?.parameters.map((parameter) => this.#makeSlider(parameter)) ?? [];
@@ -58,7 +61,12 @@ export class ShapeParameters {
     const input = make('input', { type: 'range', min: 0, max: SLIDER_STEPS, 'data-parameter': parameter.name });
     const slider = { parameter, input, output: make('output') };
     const value = (): number => fromSlider(parameter, input.valueAsNumber);
-    input.addEventListener('input', () => tell(slider, value()));
+    input.addEventListener('input', () => {
+      this.#held = input;
+      tell(slider, value());
+    });
+    // Let go where it was taken, it does not change.
+    for (const end of ['change', 'pointerup', 'blur']) input.addEventListener(end, () => (this.#held = null));
     input.addEventListener('change', () => void this.#ask({ [parameter.name]: value() }));
     return slider;
   }
@@ -77,8 +85,8 @@ export class ShapeParameters {
   #show(): void {
     for (const slider of this.#sliders) {
       const { parameter, input } = slider;
-      // One that keys move is ahead of the net.
-      if (this.#asked !== null && input === document.activeElement) continue;
+      // One that is in hand, or that keys move, is ahead of the net.
+      if (input === this.#held || (this.#asked !== null && input === document.activeElement)) continue;
       const value = this.#recipe?.values[parameter.name] ?? parameter.value;
       input.value = String(toSlider(parameter, value));
       tell(slider, value);

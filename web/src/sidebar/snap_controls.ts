@@ -60,7 +60,9 @@ export class SnapControls {
   readonly #failed: (error: unknown) => void;
   /** As it was when it was chosen. */
   #curve: Curve | null = null;
-  #edgeLength = 1;
+  /** Of whole edges at rest, and by how much they have grown. */
+  #restLength = 1;
+  #lengthScale = 1;
   /** The surface beside the net, and where its points are, once they have been asked for. */
   #guide: GuideSource | undefined;
   #surface: SurfacePoints | null = null;
@@ -112,8 +114,18 @@ export class SnapControls {
 
   /** Another net is open: a curve was of the one before. */
   setNet({ info }: OpenedNet): void {
-    this.#edgeLength = info.meanLength;
+    this.#restLength = info.edgeLength;
     this.#keepTo(null);
+  }
+
+  setLengthScale(scale: number): void {
+    if (scale === this.#lengthScale) return;
+    this.#lengthScale = scale;
+    if (this.#isOn) this.#apply();
+  }
+
+  get #edgeLength(): number {
+    return this.#restLength * this.#lengthScale;
   }
 
   /** @param guide beside the net that is open. */

@@ -48,19 +48,19 @@ export class StepPanel implements Panel {
   }
 
   setNet({ info }: OpenedNet): void {
-    this.#edgeLength = info.meanLength;
+    this.#edgeLength = info.edgeLength;
     this.#row = null;
     this.#move = null;
     this.setFrame();
   }
 
-  onFrame({ trace, stepFrom, positions, method }: FrameData): void {
+  onFrame({ trace, stepFrom, positions, lengthScale, method }: FrameData): void {
     const row = trace.at(-1);
     if (row === undefined) return;
     const isNew = row.iteration === 1 || row.stage !== this.#row?.stage;
     this.#row = row;
     this.#method = method;
-    this.#move = stepFrom && longestMove(stepFrom, positions) / this.#edgeLength;
+    this.#move = stepFrom && longestMove(stepFrom, positions) / (this.#edgeLength * lengthScale);
     if (stepFrom && isNew) this.#say(this.#words(row));
   }
 

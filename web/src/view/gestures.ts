@@ -14,7 +14,7 @@ import type { HandleMarkers } from './handles';
 import type { NetData } from './net_data';
 import { Outline } from './outline';
 import type { Place } from './overlay';
-import { nearestVertex, type Plane, type Projection } from './picking';
+import { nearestVertex, type Plane, type Projection, pointerKind } from './picking';
 import type { ViewEvents } from './view';
 
 /** The part of the scene that gestures use. */
@@ -173,7 +173,7 @@ export class Gestures {
     if (event.buttons === 0) return this.#upUnseen(event, press);
     const at = (press.last = this.#place(event));
     press.gone = Math.max(press.gone, Math.hypot(at.x - press.at.x, at.y - press.at.y));
-    if (!press.moved && press.gone > STILL[kind(event)]) this.#begin(press);
+    if (!press.moved && press.gone > STILL[pointerKind(event)]) this.#begin(press);
     if (!press.moved) return;
     if (press.outline) this.#draw(press.outline, at);
     else this.#carry(press);
@@ -304,7 +304,7 @@ export class Gestures {
       projection,
       at.x,
       at.y,
-      REACH[kind(event)],
+      REACH[pointerKind(event)],
       layer,
       this.#context.section,
     );
@@ -313,7 +313,7 @@ export class Gestures {
   }
 
   #handleAt(at: Place, event: PointerEvent): number | null {
-    return this.#context.markers.at(this.#context.projection(), at.x, at.y, HANDLE_SLACK[kind(event)]);
+    return this.#context.markers.at(this.#context.projection(), at.x, at.y, HANDLE_SLACK[pointerKind(event)]);
   }
 
   /** At most once a frame, however many events the mouse sends. */
@@ -452,8 +452,4 @@ function toAxis(way: Vector3): number {
 
 function shift(by: Vector3): Matrix4 {
   return new Matrix4().makeTranslation(by);
-}
-
-function kind(event: PointerEvent): 'mouse' | 'touch' {
-  return event.pointerType === 'touch' ? 'touch' : 'mouse';
 }

@@ -116,3 +116,8 @@ export function isInside(outline: readonly { x: number; y: number }[], x: number
   });
   return winding !== 0;
 }
+
+/** Fingers are less sure than a mouse or a pen. */
+export function pointerKind({ pointerType }: PointerEvent): 'mouse' | 'touch' {
+  return pointerType === 'touch' ? 'touch' : 'mouse';
+}

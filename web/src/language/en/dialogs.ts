@@ -90,6 +90,7 @@ export const dialogs = {
     title: 'A net on a surface',
     opening: 'Measuring the surface…',
     making: 'Making the net…',
+    outdated: 'Of other settings than these: make the net again to open it.',
     proposals: 'Good beginnings, the best first',
     proposal: (number: number, how: readonly string[]) => `Beginning ${number}: ${how.join(' ')}`,
     /** What comes of it, in lines below its picture. */
@@ -222,7 +223,7 @@ export const dialogs = {
       kept: (missed: number, edges: string) =>
         missed === 0
           ? 'Net lines run along what is drawn.'
-          : `Not followed: ${missed}. net lines are ${edges} edges off on average.`,
+          : `Not followed: ${missed}. On average along a line, net lines are up to ${edges} edges off.`,
     },
     singularWishes: {
       title: 'Singular vertices',

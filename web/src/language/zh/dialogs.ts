@@ -108,6 +108,7 @@ export const dialogs: Widened<typeof en> = {
     title: '曲面上的网',
     opening: '正在测量曲面…',
     making: '正在铺网…',
+    outdated: '与当前设置不符：重新生成网后方可打开。',
     proposals: '较好的起点，最好的在前',
     proposal: (number, how) => `起点 ${number}：${how.join(' ')}`,
     proposed: (covered, sheared, distance) => [`覆盖 ${covered}`, `剪切 ${sheared}`, `离面 ${distance} 边长`],
@@ -227,7 +228,7 @@ export const dialogs: Widened<typeof en> = {
         '在曲面上逐点点出这条线，然后结束，或闭合成环。用键盘：空格键加一点，方向键移动该点，回车键结束，退格键撤回一点，Esc 键放弃。',
       next: '网线将沿它走。对下一张网有效。',
       kept: (missed, edges) =>
-        missed === 0 ? '网线沿所画的线走。' : `未能跟随的有 ${missed} 条：网线平均偏离 ${edges} 倍边长。`,
+        missed === 0 ? '网线沿所画的线走。' : `未能跟随的有 ${missed} 条：沿线平均，网线最多偏离 ${edges} 倍边长。`,
     },
     singularWishes: {
       title: '奇异顶点',
