@@ -18,6 +18,7 @@
 #include "io/obj.h"
 #include "mesh_border.h"
 #include "net/measures.h"
+#include "net/rods.h"
 #include "session.h"
 #include "shapes/shapes.h"
 #include "solve/initialisation.h"
@@ -180,6 +181,7 @@ val face_vertices(const Session& session) { return copy_out(session.editor.net()
 val rest_positions(const Session& session) { return copy_out(session.editor.net().rest_positions()); }
 val rest_lengths(const Session& session) { return copy_out(session.editor.net().rest_lengths()); }
 val net_lines(const Session& session) { return lists_out(session.editor.topology().net_lines()); }
+val rod_lines(const Session& session) { return lists_out(rods(session.editor.net(), session.editor.topology())); }
 val boundary_loops(const Session& session) { return lists_out(session.editor.topology().boundary_loops()); }
 val flat_pattern(const Session& session) { return flat_pattern_out(session.editor.net(), session.editor.topology()); }
 val suggested_handles(const Session& session) { return copy_out(session.suggested_handles); }
@@ -397,6 +399,7 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("restPositions", guarded<&rest_positions>)
         .function("restLengths", guarded<&rest_lengths>)
         .function("netLines", guarded<&net_lines>)
+        .function("rods", guarded<&rod_lines>)
         .function("boundaryLoops", guarded<&boundary_loops>)
         .function("flatPattern", guarded<&flat_pattern>)
         .function("suggestedHandles", guarded<&suggested_handles>)

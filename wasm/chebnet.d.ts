@@ -360,6 +360,8 @@ export interface Editor {
   /** Chains of edges that go straight on, from end to end; a closed one ends with the vertex it begins with
    *  (core/net/topology.h). */
   netLines(): VertexLists;
+  /** The net lines that rods are laid along, as `rodTable` has them: past inward corners, without rims (core/net/rods.h). */
+  rods(): VertexLists;
   /** Closed chains of edges with one face, without repetition of the first vertex. */
   boundaryLoops(): VertexLists;
   flatPattern(): FlatPattern | PatternFault;
@@ -739,7 +741,7 @@ export interface Remesh {
 
 /** How well a net lies on a surface. Its whole cells are quads with edges of one length. */
 export interface DrapeReport {
-  /** Of most edges. */
+  /** Of most edges; where a border has cut these, of whole ones. */
   length: number;
   /** Part of the surface's area that is within half an edge of the net. */
   coverage: number;
@@ -751,6 +753,8 @@ export interface DrapeReport {
   /** Of vertices and middles of edges from the surface, in its unit. */
   meanDistance: number;
   largestDistance: number;
+  /** Without any, the next four say nothing. */
+  wholeCells: number;
   /** Of corners of whole cells, in radians. */
   smallestAngle: number;
   largestAngle: number;
@@ -798,7 +802,9 @@ export interface Surface {
   proposeCuts(options: DrapeOptions, most: number): CutProposals;
   /** The phases may begin anew where the first attempt does not do. @param progress is told how far a phase is, 0 … 1. */
   remesh(options?: RemeshOptions, progress?: (phase: RemeshPhase, done: number) => void): Remesh;
-  measure(net: Mesh): DrapeReport;
+  /** @param length with which the net was laid, of its whole edges; a net of few cells most of whose edges a border has cut
+   *  may not say it. */
+  measure(net: Mesh, length?: number): DrapeReport;
   /** Frees the memory on the other side; the surface must not be used again. */
   dispose(): void;
 }

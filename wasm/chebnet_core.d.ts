@@ -71,6 +71,7 @@ export interface Session {
   restPositions(): Float64Array;
   restLengths(): Float64Array;
   netLines(): VertexLists;
+  rods(): VertexLists;
   boundaryLoops(): VertexLists;
   flatPattern(): FlatPattern | PatternFault;
   suggestedHandles(): Int32Array;
@@ -169,7 +170,8 @@ export interface CoreSurface {
   drapePieces(options: CoreDrapeOptions): PiecesDrape;
   proposeCuts(options: CoreDrapeOptions, most: number): CutProposals;
   remesh(options: CoreRemeshOptions, progress: (phase: RemeshPhase, done: number) => void): Remesh;
-  measure(net: Mesh): DrapeReport;
+  /** `length`: 0 where it is not known. */
+  measure(net: Mesh, length: number): DrapeReport;
   delete(): void;
 }
 

@@ -241,6 +241,10 @@ class WasmEditor {
     return this.#open.netLines();
   }
 
+  rods() {
+    return this.#open.rods();
+  }
+
   boundaryLoops() {
     return this.#open.boundaryLoops();
   }
@@ -722,9 +726,12 @@ class WasmSurface {
     return this.#open.remesh(allRemeshOptions(options), progress);
   }
 
-  /** @param {Mesh} net */
-  measure(net) {
-    return this.#open.measure(mesh(net));
+  /** @param {Mesh} net @param {number} [length] */
+  measure(net, length) {
+    if (length === undefined) return this.#open.measure(mesh(net), 0);
+    const what = 'the length of whole edges';
+    if (!(size(length, what) > 0)) throw failure('bad_option', `${what} must be a number above 0, not ${shown(length)}`);
+    return this.#open.measure(mesh(net), length);
   }
 
   dispose() {

@@ -3,9 +3,11 @@
 // relaxed, surfaces, families of net lines and rods that were bent beforehand. Called, they throw the code "left_out".
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "edit/flip.h"
 #include "edit/locality.h"
@@ -14,6 +16,7 @@
 #include "io/obj.h"
 #include "mesh_border.h"
 #include "net/families.h"
+#include "net/rods.h"
 #include "shapes/smooth_figure.h"
 #include "solve/parts/coordinate_metric.h"
 #include "solve/parts/length_system.h"
@@ -46,6 +49,7 @@ Mesh read_obj(std::string_view, std::string_view) { leave_to_the_whole_core(); }
 std::string write_obj(const Positions&, const Faces&, int) { leave_to_the_whole_core(); }
 std::string edge_table(const Editor&) { leave_to_the_whole_core(); }
 std::string rod_table(const Net&, const Topology&, const Positions&) { leave_to_the_whole_core(); }
+std::vector<std::vector<int>> rods(const Net&, const Topology&, std::optional<double>) { leave_to_the_whole_core(); }
 std::unique_ptr<Term> make_closeness_term(const Net&, const Guide&, double, double, ClosenessTerm::Side) {
     leave_to_the_whole_core();
 }

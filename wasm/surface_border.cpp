@@ -344,10 +344,12 @@ val propose_cuts_on(const OpenSurface& open, val options, int most) {
     return object;
 }
 
-val measure(const OpenSurface& open, val net) {
+/// `length`: 0 where it is not known.
+val measure(const OpenSurface& open, val net, double length) {
     Mesh mesh = mesh_in(net);
+    const auto known = length > 0 ? std::optional(length) : std::nullopt;
     const DrapeReport report =
-        measure_drape(open.surface, open.tree, Net(std::move(mesh.positions), std::move(mesh.faces)));
+        measure_drape(open.surface, open.tree, Net(std::move(mesh.positions), std::move(mesh.faces)), known);
     val object = val::object();
     object.set("length", report.length);
     object.set("coverage", report.coverage);
@@ -355,6 +357,7 @@ val measure(const OpenSurface& open, val net) {
     object.set("gaps", report.gaps);
     object.set("meanDistance", report.mean_distance);
     object.set("largestDistance", report.largest_distance);
+    object.set("wholeCells", report.whole_cells);
     object.set("smallestAngle", report.smallest_angle);
     object.set("largestAngle", report.largest_angle);
     object.set("sheared", report.sheared);

@@ -71,14 +71,13 @@ DrapeOptions shared_options(const DrapeArguments& arguments, const Surface& surf
 
 DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
     DrapeOptions options = shared_options(arguments, surface, tree);
-    const bool has_seed = !arguments.seed.empty();
+    const bool has_seed = !arguments.seed.empty(), has_direction = !arguments.direction.empty();
     if (has_seed) options.seed = Eigen::Vector3d::Map(arguments.seed.data());
-    if (arguments.best && !has_seed)
-        options = propose_drapes(surface, tree, options).front().options;
-    else if (arguments.best && arguments.direction.empty())
-        options = with_best_direction(surface, tree, options);
-    if (!arguments.direction.empty()) options.direction = Eigen::Vector3d::Map(arguments.direction.data());
-    return options;
+    if (has_direction) options.direction = Eigen::Vector3d::Map(arguments.direction.data());
+    if (!arguments.best || (has_seed && has_direction)) return options;
+    if (has_seed) return with_best_direction(surface, tree, options);
+    const auto propose = has_direction ? propose_seeds : propose_drapes;
+    return propose(surface, tree, options).front().options;
 }
 
 Json drape_report(const Drape& draped, const DrapeReport& measured) {
@@ -265,7 +264,8 @@ Command add_drape(CLI::App& program) {
             "nearest point, and the direction is its own")
         ->type_name("POINTS");
     command.add_flag("--best", arguments->best,
-                     "Begin where the best of several trials does; with --seed, there in the best direction");
+                     "Begin where the best of several trials does; with --seed, there in the best direction, with "
+                     "--direction, in that one");
     command
         .add_option(
             "--cut-along", arguments->cuts,

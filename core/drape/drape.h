@@ -101,7 +101,7 @@ double sampled_coverage(const Surface& surface, const Net& net, std::optional<do
 
 /// How well a net lies on a surface. Its whole cells are those that no border has cut: quads with edges of length L.
 struct DrapeReport {
-    double length;                           ///< L, that of most edges; if none is, as given, else their mean
+    double length;                           ///< L: of most edges, or as given, or whole_length() if is_cut(), or mean
     double coverage;                         ///< part of the surface's area that is within L / 2 of the net
     double open_border;                      ///< length of the net's border that is not beside the surface's: of gaps,
                                              ///< and of both sides of slits, which coverage counts as covered

@@ -75,12 +75,10 @@ DrapeOptions options_on(const Guide& piece, const PiecesOptions& options, const 
     own.slits = true;  // trials keep to them, too
     own.seed = seed != nullptr ? *seed : suggested.seed;
     if (!options.has_direction) own.direction = suggested.direction;
-    if (options.best && seed == nullptr)
-        own = propose_drapes(piece.surface(), piece.tree(), own).front().options;
-    else if (options.best && !options.has_direction)
-        own = with_best_direction(piece.surface(), piece.tree(), own);
-    if (options.has_direction) own.direction = options.drape.direction;
-    return own;
+    if (!options.best || (seed != nullptr && options.has_direction)) return own;
+    if (seed != nullptr) return with_best_direction(piece.surface(), piece.tree(), own);
+    const auto propose = options.has_direction ? propose_seeds : propose_drapes;
+    return propose(piece.surface(), piece.tree(), own).front().options;
 }
 
 /// The points of a surface that are nearest to some others.

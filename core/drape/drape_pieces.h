@@ -13,7 +13,7 @@ struct PiecesOptions {
     DrapeOptions drape;          ///< of each; seed and direction are chosen anew, and arms are geodesic on pieces on
                                  ///< which not all of the curve is that they were to run along
     bool best = false;           ///< each begins where the best of several trials does (see propose_drapes), one with a
-                                 ///< seed in the best direction there
+                                 ///< seed in the best direction there, all in that of `drape` if `has_direction`
     double leave = 0;            ///< above 0: how far each may leave the surface (see bridged_drape), in edge lengths
     bool has_direction = false;  ///< all have the direction of `drape`
     bool first_seed = false;     ///< on its piece, the net has the seed and the direction of `drape`

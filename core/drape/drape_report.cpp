@@ -141,9 +141,12 @@ void add_open_border(const Surface& surface, const SurfaceTree& tree, const Net&
     report.gaps = runs_of(is_open, topology);
 }
 
-/// L: those at a border may be cut. `known`: where these are most, as of a net of few cells, the net does not say it.
+/// L: those at a border may be cut. `known`: where these are most, as of a net of few cells, most do not say it.
 double length_of_most(const Net& net, std::optional<double> known) {
-    return shared_length(net).value_or(known.value_or(net.mean_length()));
+    if (const std::optional<double> shared = shared_length(net)) return *shared;
+    if (known) return *known;
+    const Topology topology(net);
+    return is_cut(net, topology) ? whole_length(net) : net.mean_length();
 }
 
 /// The smallest and the largest corner of each whole cell.
@@ -166,8 +169,8 @@ std::vector<AngleRange> whole_cells(const Net& net, double length) {
     return cells;
 }
 
-void add_rods(const Net& net, const Topology& topology, DrapeReport& report) {
-    for (const std::vector<int>& rod : rods(net, topology)) {
+void add_rods(const Net& net, const Topology& topology, std::optional<double> length, DrapeReport& report) {
+    for (const std::vector<int>& rod : rods(net, topology, length)) {
         ++report.rods;
         for (std::size_t k = 0; k + 1 < rod.size(); ++k)
             report.rod_length += net.rest_lengths()[topology.edge_between(rod[k], rod[k + 1])];
@@ -232,7 +235,7 @@ DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const
     report.sheared = part_sheared(cells, k_shear);
     report.much_sheared = part_sheared(cells, k_much_shear);
     report.folds = sharp_folds(net, x, k_fold);
-    add_rods(net, topology, report);
+    add_rods(net, topology, length, report);
     report.max_deviation = max_deviation(net, x);
     return report;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "base/error.h"
 #include "drape/sample_points.h"
@@ -134,13 +135,24 @@ std::optional<DrapeProposal> finished(const Surface& surface, const SurfaceTree&
     }
 }
 
+using Directions = std::vector<Eigen::Vector3d>;
+
+Directions directions_at(const Eigen::Vector3d& normal) {
+    Directions directions;
+    for (int k = 0; k < k_directions; ++k)
+        directions.push_back(direction_at(normal, k * std::numbers::pi / 2 / k_directions));
+    return directions;
+}
+
+/// `given`: in this direction; else the best of several.
 std::optional<DrapeProposal> best_at(const Surface& surface, const SurfaceTree& tree, DrapeOptions options,
-                                     const SurfaceTree::Nearest& place, DrapeOptions::Border border) {
+                                     const SurfaceTree::Nearest& place, DrapeOptions::Border border,
+                                     const std::optional<Eigen::Vector3d>& given = {}) {
     const double length = std::max(options.length, std::sqrt(surface.area() / k_trial_cells));
     std::optional<DrapeProposal> best;
     options.seed = place.position;
-    for (int k = 0; k < k_directions; ++k) {
-        options.direction = direction_at(surface.normal_at(place.at), k * std::numbers::pi / 2 / k_directions);
+    for (const Eigen::Vector3d& direction : given ? Directions{*given} : directions_at(surface.normal_at(place.at))) {
+        options.direction = direction;
         const auto proposal = tried(surface, tree, options, length, DrapeOptions::Arms::geodesic, border);
         if (proposal && (!best || proposal->worth() > best->worth())) best = proposal;
     }
@@ -148,10 +160,33 @@ std::optional<DrapeProposal> best_at(const Surface& surface, const SurfaceTree& 
 }
 
 std::vector<DrapeProposal> best_at_each(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options,
-                                        const Positions& places, DrapeOptions::Border border) {
+                                        const Positions& places, DrapeOptions::Border border,
+                                        const std::optional<Eigen::Vector3d>& given) {
     std::vector<DrapeProposal> proposals;
     for (const Eigen::Vector3d place : places.colwise())
-        if (const auto best = best_at(surface, tree, options, tree.nearest(place), border)) proposals.push_back(*best);
+        if (const auto best = best_at(surface, tree, options, tree.nearest(place), border, given))
+            proposals.push_back(*best);
+    return proposals;
+}
+
+std::vector<DrapeProposal> proposals_for(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options,
+                                         const std::optional<Eigen::Vector3d>& given) {
+    check_drape(surface, options);
+    const Positions places = spread_over(surface, suggested_drape(surface, tree, k_trial_cells).seed);
+    std::vector<DrapeProposal> proposals =
+        best_at_each(surface, tree, options, places, DrapeOptions::Border::inside, given);
+    // What is narrower than two cells has room for none but across its border.
+    if (proposals.empty()) proposals = best_at_each(surface, tree, options, places, options.border, given);
+    if (proposals.empty()) {
+        drape(surface, tree, options);  // says why, unless just this beginning does it
+        proposals.push_back({options});
+    }
+    rank(proposals);
+    // A curve that was drawn goes through one seed only.
+    const auto arms = options.arms == DrapeOptions::Arms::curve ? DrapeOptions::Arms::geodesic : options.arms;
+    for (std::size_t k = 0; k < std::min(k_finals, proposals.size()); ++k)
+        if (const auto last = finished(surface, tree, proposals[k].options, arms)) proposals[k] = *last;
+    rank(proposals);
     return proposals;
 }
 
@@ -164,22 +199,11 @@ double DrapeProposal::worth() const {
 
 std::vector<DrapeProposal> propose_drapes(const Surface& surface, const SurfaceTree& tree,
                                           const DrapeOptions& options) {
-    check_drape(surface, options);
-    const Positions places = spread_over(surface, suggested_drape(surface, tree, k_trial_cells).seed);
-    std::vector<DrapeProposal> proposals = best_at_each(surface, tree, options, places, DrapeOptions::Border::inside);
-    // What is narrower than two cells has room for none but across its border.
-    if (proposals.empty()) proposals = best_at_each(surface, tree, options, places, options.border);
-    if (proposals.empty()) {
-        drape(surface, tree, options);  // says why, unless just this beginning does it
-        proposals.push_back({options});
-    }
-    rank(proposals);
-    // A curve that was drawn goes through one seed only.
-    const auto arms = options.arms == DrapeOptions::Arms::curve ? DrapeOptions::Arms::geodesic : options.arms;
-    for (std::size_t k = 0; k < std::min(k_finals, proposals.size()); ++k)
-        if (const auto last = finished(surface, tree, proposals[k].options, arms)) proposals[k] = *last;
-    rank(proposals);
-    return proposals;
+    return proposals_for(surface, tree, options, std::nullopt);
+}
+
+std::vector<DrapeProposal> propose_seeds(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {
+    return proposals_for(surface, tree, options, options.direction);
 }
 
 DrapeOptions with_best_direction(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {

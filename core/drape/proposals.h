@@ -26,6 +26,9 @@ struct DrapeProposal {
 /// Throws Error as drape does if no place takes a net.
 std::vector<DrapeProposal> propose_drapes(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options);
 
+/// Likewise, all in the direction of `options`.
+std::vector<DrapeProposal> propose_seeds(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options);
+
 /// The best direction at a seed that is given, of six with such nets: `options` with it, or as they are where none
 /// takes a net. Throws Error bad_option or non_finite as check_drape does.
 DrapeOptions with_best_direction(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options);

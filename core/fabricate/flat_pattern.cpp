@@ -40,16 +40,12 @@ public:
                 std::array<int, 2>& both = m_faces_of_edge[m_edge[faces.start[f] + k]];
                 both[both[0] == -1 ? 0 : 1] = f;
             }
-        double longest = 0;
-        for (int e = 0; e < net.edge_count(); ++e)
-            if (is_between(e)) longest = std::max(longest, net.rest_lengths()[e]);
-        m_has_between = longest > 0;
-        if (!m_has_between) longest = net.rest_lengths().maxCoeff();
-        const std::optional<double> shared = shared_length(net);
-        m_lengths = net.rest_lengths() / shared.value_or(longest);
-        const double tolerance = shared ? whole_edge_tolerance(net, topology, *shared) : 0;
+        for (int e = 0; e < net.edge_count(); ++e) m_has_between = m_has_between || is_between(e);
+        const double whole = whole_length(net), tolerance = whole_edge_tolerance(net, topology, whole);
+        m_lengths = net.rest_lengths() / whole;
         for (double& length : m_lengths)
-            if (std::abs(length - 1) <= std::max(k_equal, tolerance)) length = 1;
+            if (std::abs(length - 1) <= tolerance) length = 1;
+        even_out_strips(tolerance);
     }
 
     int count(int face) const { return static_cast<int>(m_net.faces()[face].size()); }
@@ -86,6 +82,40 @@ public:
     }
 
 private:
+    /// Where a net is one cell wide, rods across it that were cut alike are of one length, also after an edit.
+    void even_out_strips(double tolerance) {
+        std::vector<bool> is_done(static_cast<std::size_t>(m_net.face_count()), false);
+        for (int first = 0; first < m_net.face_count(); ++first) {
+            if (is_done[first]) continue;
+            is_done[first] = true;
+            std::vector<int> faces{first};
+            std::set<int> across;
+            for (std::size_t i = 0; i < faces.size(); ++i)
+                for (int k = 0; k < 4; ++k) {
+                    if (!leads_along_strip(faces[i], k, tolerance)) continue;
+                    for (const int side : {k + 1, k + 3}) {
+                        across.insert(edge(faces[i], side));
+                        const int next = beyond(faces[i], side);
+                        if (next == -1 || is_done[next]) continue;
+                        is_done[next] = true;
+                        faces.push_back(next);
+                    }
+                }
+            double least = 1, most = 0;
+            for (const int e : across) least = std::min(least, m_lengths[e]), most = std::max(most, m_lengths[e]);
+            if (most - least > 2 * tolerance) continue;
+            for (const int e : across) m_lengths[e] = (least + most) / 2;
+        }
+    }
+
+    /// Side k of a face, between rods that are cut alike.
+    bool leads_along_strip(int face, int k, double tolerance) const {
+        if (count(face) != 4 || is_between(edge(face, k)) || is_between(edge(face, k + 2))) return false;
+        const double one = length(face, k + 1), other = length(face, k + 3);
+        return length(face, k) == 1 && length(face, k + 2) == 1 && one < 1 && other < 1 &&
+               std::abs(one - other) <= 2 * tolerance;
+    }
+
     const Net& m_net;
     std::vector<int> m_edge;                          // of each side
     std::vector<std::array<int, 2>> m_faces_of_edge;  // the second is −1 on the boundary
@@ -103,7 +133,8 @@ std::optional<PatternFault> find_unfit(const Net& net, const Topology& topology,
     }
     for (int f = 0; f < net.face_count(); ++f)
         for (int k = 0; k < sides.count(f); ++k)
-            if (sides.is_rod(f, k) && !(sides.length(f, k) > k_equal)) return PatternFault{.reason = Reason::unequal};
+            if (sides.is_rod(f, k) && !(sides.length(f, k) > k_equal && sides.length(f, k) <= 1 + k_equal))
+                return PatternFault{.reason = Reason::unequal};
     for (int v = 0; v < net.vertex_count(); ++v)
         if (topology.is_singular(v)) return PatternFault{.reason = Reason::singular, .vertex = v};
     return std::nullopt;

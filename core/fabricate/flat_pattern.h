@@ -26,7 +26,7 @@ struct FlatPattern {
 struct PatternFault {
     enum class Reason {
         not_quads,  ///< `face` is none, nor what a border leaves of one
-        unequal,    ///< rest lengths differ, and not only of rods that end on the boundary
+        unequal,    ///< rest lengths differ, and not only of rods that end, cut, on the boundary
         loose,      ///< nothing says where `face` lies: no rod leads to it, or only some that are cut at both ends
         singular,   ///< the inner `vertex` has another valence than 4
         closed,     ///< two ways to `vertex` lead to two places
@@ -41,8 +41,8 @@ const char* to_string(PatternFault::Reason reason);
 /// Lays the faces as squares in the plane, each beside one before it. Rows count upwards, and the first face of each
 /// piece that has a whole rod is seen from its front. Where rods are cut at a border (see drape/border_cut.h) each
 /// keeps its length, and the edges between their ends become as long as that makes them. Pieces lie in lines as words
-/// do, two squares apart, about as wide as high in all. Rest lengths that differ by less than 1e-6 of a length are one
-/// length.
+/// do, two squares apart, about as wide as high in all. Rest lengths nearer to that of whole edges than
+/// whole_edge_tolerance() are that, and those across a strip one cell wide that was cut alike are one length.
 std::variant<FlatPattern, PatternFault> flat_pattern(const Net& net, const Topology& topology);
 
 }  // namespace chebnet

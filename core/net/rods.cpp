@@ -22,12 +22,28 @@ bool is_as_long(double length, double shared, double tolerance = k_whole_edge) {
 // A cosine, of 30°: a rod turns by less from one edge to the next, sheared and coarse as a net may be.
 constexpr double k_straight = 0.866;
 
+/// Whether a border may have cut the edge.
+bool is_at_border(const Net& net, const Topology& topology, int edge) {
+    return topology.is_boundary(net.edges()(0, edge)) || topology.is_boundary(net.edges()(1, edge));
+}
+
+bool has_whole_quad(const Net& net, const Topology& topology, double length) {
+    for (int f = 0; f < net.face_count(); ++f) {
+        const std::span<const int> face = net.faces()[f];
+        bool is_whole = face.size() == 4;
+        for (std::size_t k = 0; k < 4 && is_whole; ++k)
+            is_whole = is_as_long(net.rest_lengths()[topology.edge_between(face[k], face[(k + 1) % 4])], length);
+        if (is_whole) return true;
+    }
+    return false;
+}
+
 /// Which edges are of rods, where all share a length but those that a border may have cut.
 class RodEdges {
 public:
     RodEdges(const Net& net, const Topology& topology, double shared)
         : m_net(net), m_topology(topology), m_is_whole(static_cast<std::size_t>(net.edge_count())) {
-        const double tolerance = std::max(k_as_long, whole_edge_tolerance(net, topology, shared));
+        const double tolerance = whole_edge_tolerance(net, topology, shared);
         for (int e = 0; e < net.edge_count(); ++e) m_is_whole[e] = is_as_long(net.rest_lengths()[e], shared, tolerance);
         m_is_rod = m_is_whole;
         for (int e = 0; e < net.edge_count(); ++e)
@@ -95,11 +111,14 @@ void begin_at_rim(std::vector<int>& line, std::vector<bool>& is_rod) {
 
 }  // namespace
 
-std::vector<std::vector<int>> rods(const Net& net, const Topology& topology) {
+std::vector<std::vector<int>> rods(const Net& net, const Topology& topology, std::optional<double> length) {
     std::vector<std::vector<int>> lines = topology.net_lines(InwardCorners::pass);
-    const std::optional<double> shared = shared_length(net);
-    if (!shared || net.is_chebyshev()) return lines;
-    const RodEdges edges(net, topology, *shared);
+    if (net.is_chebyshev()) return lines;
+    std::optional<double> whole = shared_length(net);
+    if (!whole) whole = length;
+    if (!whole && is_cut(net, topology)) whole = whole_length(net);
+    if (!whole) return lines;
+    const RodEdges edges(net, topology, *whole);
     std::vector<std::vector<int>> rods;
     for (std::vector<int>& line : lines) {
         const bool is_closed = is_closed_rod(topology, line);
@@ -114,13 +133,26 @@ std::vector<std::vector<int>> rods(const Net& net, const Topology& topology) {
     return rods;
 }
 
+double whole_length(const Net& net) {
+    if (const std::optional<double> shared = shared_length(net)) return *shared;
+    double longest = 0;
+    for (int e = 0; e < net.edge_count(); ++e)
+        if (net.edge_face_counts()[e] == 2) longest = std::max(longest, net.rest_lengths()[e]);
+    return longest > 0 ? longest : net.rest_lengths().maxCoeff();
+}
+
 double whole_edge_tolerance(const Net& net, const Topology& topology, double shared) {
     constexpr double k_farther = 2;  // those that end at the border may be
-    double spread = 0;
-    for (int e = 0; e < net.edge_count(); ++e)
-        if (!topology.is_boundary(net.edges()(0, e)) && !topology.is_boundary(net.edges()(1, e)))
-            spread = std::max(spread, std::abs(net.rest_lengths()[e] - shared) / shared);
-    return std::min(k_farther * spread, k_whole_edge);
+    double spread = 0, nearly = 0;
+    bool has_uncut = false;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const double step = std::abs(net.rest_lengths()[e] - shared) / shared;
+        if (step <= k_whole_edge) nearly = std::max(nearly, step);
+        if (is_at_border(net, topology, e)) continue;
+        has_uncut = true;
+        spread = std::max(spread, step);
+    }
+    return std::clamp(k_farther * (has_uncut ? spread : nearly), k_as_long, k_whole_edge);
 }
 
 bool is_closed_rod(const Topology& topology, const std::vector<int>& rod) {
@@ -128,18 +160,18 @@ bool is_closed_rod(const Topology& topology, const std::vector<int>& rod) {
 }
 
 bool is_cut(const Net& net, const Topology& topology) {
-    const std::optional<double> shared = shared_length(net);
-    if (!shared || net.is_chebyshev()) return false;
-    const auto is_whole = [&](int edge) { return is_as_long(net.rest_lengths()[edge], *shared); };
+    if (net.is_chebyshev()) return false;
+    const double length = whole_length(net);
+    if (!shared_length(net) && !has_whole_quad(net, topology, length)) return false;
+    const auto is_whole = [&](int edge) { return is_as_long(net.rest_lengths()[edge], length); };
     for (int e = 0; e < net.edge_count(); ++e)
-        if (!is_whole(e) && !topology.is_boundary(net.edges()(0, e)) && !topology.is_boundary(net.edges()(1, e)))
-            return false;
+        if (!is_whole(e) && !is_at_border(net, topology, e)) return false;
     if (faces_by_arity(net.faces()).size() > 1) return true;
     // A border along the lines leaves quads alone: of whole edges in a line the last is cut short.
     const auto is_cut_short = [&](int end, int before, int further) {
         const int edge = topology.edge_between(end, before);
         return topology.is_boundary(end) && net.edge_face_counts()[edge] == 2 && !is_whole(edge) &&
-               net.rest_lengths()[edge] < *shared && is_whole(topology.edge_between(before, further));
+               net.rest_lengths()[edge] < length && is_whole(topology.edge_between(before, further));
     };
     const std::vector<std::vector<int>> lines = topology.net_lines();
     return std::any_of(lines.begin(), lines.end(), [&](const std::vector<int>& line) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "net/net.h"
@@ -11,18 +12,25 @@ namespace chebnet {
 /// corners, but for rims, the edges along a border that has cut the net. Where a rod and a rim are on one line the rod
 /// ends. On the boundary an edge of the length that others share (shared_length()) is of a rod, unless it leads across
 /// a cell from the end of one cut rod to that of another; one of another length is of a rim, unless it goes on straight
-/// from a rod, of which it is then what a border left of the last edge.
-std::vector<std::vector<int>> rods(const Net& net, const Topology& topology);
+/// from a rod, of which it is then what a border left of the last edge. Where no length is shared by most, a border may
+/// have cut most edges: L is then `length`, where it is known, or whole_length() if the net is_cut(); else all lines
+/// are of rods.
+std::vector<std::vector<int>> rods(const Net& net, const Topology& topology, std::optional<double> length = {});
 
 /// Of one of them: it ends where it began, and goes straight on there.
 bool is_closed_rod(const Topology& topology, const std::vector<int>& rod);
 
-/// How far whole edges are from the length `shared` with others, as a part of it, by those that no border can have cut:
-/// next to nothing where a net was laid, up to k_whole_edge where it was edited. What a border cuts off may be less.
+/// L, the length of edges that no border has cut: that which most share (shared_length()) or, where a border has cut
+/// most, that of the longest edge between two faces; of the longest at all where none is between two.
+double whole_length(const Net& net);
+
+/// How far whole edges are from the length `shared` with others, as a part of it, by those that no border can have cut
+/// or, where each may be cut, by those that are nearly as long: a ten-thousandth where a net was laid, up to
+/// k_whole_edge where it was edited. What a border cuts off may be less.
 double whole_edge_tolerance(const Net& net, const Topology& topology, double shared);
 
 /// Whether a border has cut the net: its edges share a length, but for some that end at the border, where some of its
-/// faces are no quads, or lines of whole edges end with a shorter one.
+/// faces are no quads, or lines of whole edges end with a shorter one. Where most are cut, a quad is whole.
 bool is_cut(const Net& net, const Topology& topology);
 
 }  // namespace chebnet

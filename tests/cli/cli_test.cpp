@@ -821,6 +821,10 @@ TEST_CASE("drape takes surfaces of our own, and begins in the middle") {
     CHECK(box.run(from_seed + "--best --direction 1 0 0").json().at("net") == box.run(from_seed).json().at("net"));
     CHECK(box.run(from_seed + "--best").json().at("net") != box.run(from_seed).json().at("net"));
 
+    // Where only the direction is given, the place is the best one for that, not for another.
+    const json along = box.run("drape --surface shell --cells 300 --best --direction 1 1 0").json();
+    CHECK(along.at("net").at("part_of_cells_sheared_over_30_degrees") == 0);
+
     const json few = box.run("drape --surface hemisphere --cells 3 --cut --reach 1").json().at("net");
     CHECK((few.at("smallest_corner_angle_degrees").is_null() || few.at("smallest_corner_angle_degrees") < 91));
 }

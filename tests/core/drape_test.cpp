@@ -642,7 +642,13 @@ TEST_CASE("A cut net most of whose edges are shorter is measured by the length i
     CHECK(report.length == options.length);
     CHECK(report.whole_cells > 0);
     CHECK(report.smallest_angle <= report.largest_angle);
-    CHECK(measure_drape(hemisphere, tree, net).whole_cells == 0);
+    // Longer than any edge of it, no cell is whole; and where nothing is known the net's whole cells say it.
+    CHECK(measure_drape(hemisphere, tree, net, 2 * options.length).whole_cells == 0);
+    const DrapeReport unsaid = measure_drape(hemisphere, tree, net);
+    CHECK(unsaid.length == Approx(options.length));
+    CHECK(unsaid.whole_cells == report.whole_cells);
+    CHECK(unsaid.rods == report.rods);
+    CHECK(unsaid.rod_length == Approx(report.rod_length));
     CHECK(part_sheared(net, 0, options.length) == 1);
 }
 

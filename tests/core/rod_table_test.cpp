@@ -129,6 +129,29 @@ TEST_CASE("A rod ends where a rim goes on from it, and is whole where rims join 
     CHECK(lines.size() == 6);
 }
 
+TEST_CASE("Rims are of no rod where a border has cut most edges of a net of few cells") {
+    const Surface hemisphere = make_own_surface("hemisphere");
+    const SurfaceTree tree(hemisphere);
+    for (const int cells : {8, 10, 12, 15}) {
+        DrapeOptions options = suggested_drape(hemisphere, tree, cells);
+        options.border = DrapeOptions::Border::cut;
+        const Net net = drape(hemisphere, tree, options).net;
+        const Topology topology(net);
+        REQUIRE_FALSE(shared_length(net));
+        CHECK(whole_length(net) == Approx(options.length));
+        CHECK(is_cut(net, topology));
+        const auto lines = rods(net, topology);
+        CHECK(lines == rods(net, topology, options.length));
+        // Every edge between two faces is of one; of the others none is of length L here.
+        int edges = 0, between = 0;
+        for (const std::vector<int>& line : lines) edges += static_cast<int>(line.size()) - 1;
+        for (int e = 0; e < net.edge_count(); ++e) between += net.edge_face_counts()[e] == 2 ? 1 : 0;
+        CHECK(edges >= between);
+        CHECK(edges < net.edge_count());
+        CHECK(lines.size() < topology.net_lines(InwardCorners::pass).size());
+    }
+}
+
 TEST_CASE("Edges that have no length in common leave every net line a rod, also along the border") {
     std::mt19937 random(3);  // NOLINT(cert-msc51-cpp): the same mesh each time
     const Net even = samples::patch(5, 4);

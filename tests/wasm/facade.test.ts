@@ -91,6 +91,19 @@ describe('an editor', () => {
     square.dispose();
   });
 
+  test('gives rods as lists that are those of the table', () => {
+    const surface = chebnet.ownSurface('hemisphere');
+    const { mesh } = surface.drape({ ...surface.suggest(10), border: 'cut' });
+    surface.dispose();
+    const net = chebnet.openMesh(mesh);
+    const { start, vertices } = net.rods();
+    const rods = [...start.subarray(1)].map((end, k) => [...vertices.subarray(start[k], end)].join(' '));
+    const rows = net.rodTable().trim().split('\n').slice(1);
+    expect(rods).toEqual(rows.map((row) => row.split(',')[4]));
+    expect(rods.length).toBeLessThan(net.netLines().start.length - 1);
+    net.dispose();
+  });
+
   test('describes its net', () => {
     const square = chebnet.openObj(SQUARE);
     expect(square.info).toEqual({

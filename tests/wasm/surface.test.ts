@@ -47,6 +47,25 @@ const triangles = ({ positions, triangles: faceVertices }: Surface): Mesh => ({
 });
 
 describe('a surface', () => {
+  test('measures a net of cut cells by the length of its whole edges, if that is given', () => {
+    const { positions, faceStart, faceVertices } = SQUARE;
+    const net = { positions: positions.map((x, i) => (i % 3 === 1 ? 0.5 * x : x)), faceStart, faceVertices };
+    withSurface(chebnet.openSurface(SQUARE), (square) => {
+      expect(square.measure(net)).toMatchObject({ wholeCells: 0 });
+      expect(square.measure(net, 3)).toMatchObject({ length: 3, wholeCells: 0 });
+      for (const length of [0, -1, Number.NaN])
+        expect(() => square.measure(net, length)).toThrow('the length of whole edges must be a number above 0');
+    });
+    withSurface(chebnet.ownSurface('hemisphere'), (hemisphere) => {
+      const { length, ...begun } = hemisphere.suggest(10);
+      const { mesh } = hemisphere.drape({ ...begun, length, border: 'cut' });
+      const report = hemisphere.measure(mesh, length);
+      expect(report.length).toBe(length);
+      expect(report.wholeCells).toBeGreaterThan(0);
+      expect(report.smallestAngle).toBeLessThan(Math.PI / 2);
+    });
+  });
+
   test('is described', () => {
     withSurface(chebnet.openSurface(SQUARE), (square) => {
       expect(square.describe()).toMatchObject({

@@ -50,6 +50,23 @@ describe('the worker', () => {
     expect(measured.milliseconds).toBeGreaterThan(0);
   });
 
+  test('measures a net most of whose edges a border has cut by the length it was laid with', () => {
+    const source = { own: 'hemisphere' };
+    const [opened] = answers({ type: 'open', source });
+    if (opened?.type !== 'opened') return expect.fail();
+    const { area } = opened.surface.report;
+    for (const cells of [8, 10, 12, 15]) {
+      const length = Math.sqrt(area / cells);
+      const settings = { ...SETTINGS, seed: [0, 0, 9] as Point, length, border: 'cut' as const };
+      const [, , measured] = answers({ type: 'open', source }, { type: 'drape', settings }, { type: 'measure' });
+      if (measured?.type !== 'measured') return expect.fail();
+      const { report } = measured;
+      expect(report.length).toBeCloseTo(length, 9);
+      expect(report.wholeCells).toBeGreaterThan(0);
+      expect(report.smallestAngle).toBeLessThan(Math.PI / 2);
+    }
+  });
+
   test('begins on a curve nearest to the seed that is wanted, and has its direction', () => {
     const along: Point[] = [
       [-2, 0, 0],

@@ -80,7 +80,7 @@ test('the pieces of a net are drawn beside each other, with numbers, and are mes
   const mesh = { faceStart: editor.faceStart, faceVertices: editor.faceVertices };
   expect(facesOfPieces(mesh)).toEqual([[0], [1], [2], [3], [4]]);
   const { restPositions: positions } = editor;
-  const bytes = await rhinoFileOf({ mesh, positions, lines: drawing.lines, name: 'squares', layers: LAYERS });
+  const bytes = await rhinoFileOf({ mesh, positions, rods: editor.rods(), name: 'squares', layers: LAYERS });
   const rhino = await rhino3dm();
   const objects = rhino.File3dm.fromByteArray(bytes).objects();
   for (let i = 0; i < 5; i++) {
@@ -137,15 +137,15 @@ test('both sides of a seam have its letter, and all sides of a net that was clos
   expect(patternSvg(drawingOf(vault))).not.toContain('id="seams"');
 });
 
-const LAYERS = { mesh: 'Mesh', lines: 'Net lines' };
+const LAYERS = { mesh: 'Mesh', rods: 'Rods' };
 
-test('a 3DM holds the quads and the net lines, to the last digit', async () => {
+test('a 3DM holds the quads and the rods, to the last digit', async () => {
   const { faceVertices, restPositions } = vault;
-  const lines = vault.netLines();
-  const bytes = await rhinoFileOf({ mesh: vault, positions: restPositions, lines, name: 'vault', layers: LAYERS });
+  const rods = vault.rods();
+  const bytes = await rhinoFileOf({ mesh: vault, positions: restPositions, rods, name: 'vault', layers: LAYERS });
   const rhino = await rhino3dm();
   const file = rhino.File3dm.fromByteArray(bytes);
-  expect([0, 1].map((layer) => file.layers().get(layer).name)).toEqual(['Mesh', 'Net lines']);
+  expect([0, 1].map((layer) => file.layers().get(layer).name)).toEqual(['Mesh', 'Rods']);
 
   const mesh = file.objects().get(0).geometry() as InstanceType<typeof rhino.Mesh>;
   expect(file.objects().get(0).attributes().layerIndex).toBe(0);
@@ -155,8 +155,8 @@ test('a 3DM holds the quads and the net lines, to the last digit', async () => {
     ...restPositions,
   ]);
 
-  expect(file.objects().count).toBe(1 + lines.start.length - 1);
-  listsOf(lines).forEach((vertices, i) => {
+  expect(file.objects().count).toBe(1 + rods.start.length - 1);
+  listsOf(rods).forEach((vertices, i) => {
     const object = file.objects().get(1 + i);
     const line = object.geometry() as InstanceType<typeof rhino.PolylineCurve>;
     expect(object.attributes().layerIndex).toBe(1);
@@ -171,7 +171,7 @@ test('faces of other sizes become triangles in a 3DM', async () => {
   const bytes = await rhinoFileOf({
     mesh: pentagon,
     positions: pentagon.restPositions,
-    lines: pentagon.netLines(),
+    rods: pentagon.rods(),
     name: 'pentagon',
     layers: LAYERS,
   });

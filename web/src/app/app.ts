@@ -1,6 +1,6 @@
 /** The controller: everything a user or a script can ask of the page is a method here. State, Opener, Presenter and
  *  HandleEditor do it. */
-import type { FlatPattern, FormatInfo, OptionInfo, PatternFault } from '../../../wasm/chebnet';
+import type { FlatPattern, FormatInfo, OptionInfo, PatternFault, VertexLists } from '../../../wasm/chebnet';
 import type { Comparer } from '../compare/comparer';
 import type { ComparisonRequest, RunPlan, RunRequest } from '../compare/run';
 import { guideTitle, type NamedChange, settingsChange } from '../document/changes';
@@ -257,6 +257,11 @@ export class App {
   /** The net laid flat, or why it cannot be. */
   flatPattern(): Promise<FlatPattern | PatternFault> {
     return this.#client.flatPattern();
+  }
+
+  /** The lines that its rods are laid along. */
+  rods(): Promise<VertexLists> {
+    return this.#client.rods();
   }
 
   /** What the view shows, as PNG without a background, with so many times the pixels of the screen. */

@@ -7,6 +7,7 @@ import { count, milliseconds, small } from '../language/numbers';
 import { lengthWords, percentWords } from './file_words';
 import { makeSurfaceFacts, prospectWords } from './surface_facts';
 
+const UNKNOWN = '–';
 const TEXT = dialogWords.drape;
 const DEGREES = 180 / Math.PI;
 /** Delay before it is said that a net is being made: most are there at once. */
@@ -171,16 +172,18 @@ export class DrapeResults {
     const cutEnds = 'cutEnds' in this.#net ? this.#net.cutEnds : 0;
     const inLengths = (distance: number): string => small(distance / report.length);
     const distance = (inUnits: number): string => TEXT.distance(inLengths(inUnits), small(inUnits));
+    // A net of few cells may have none that no border has cut.
+    const ofCells = (words: string): string => (report.wholeCells > 0 ? words : UNKNOWN);
     // The first three are in sight on a small screen, too.
     const rows: [string, string][] = [
       [TEXT.coverage, TEXT.toHalfAnEdge(percentWords(Number(report.coverage.toFixed(4))))],
-      [TEXT.smallestAngle, `${(report.smallestAngle * DEGREES).toFixed(0)}°`],
+      [TEXT.smallestAngle, ofCells(`${(report.smallestAngle * DEGREES).toFixed(0)}°`)],
       [TEXT.meanDistance, distance(report.meanDistance)],
       [TEXT.largestDistance, distance(report.largestDistance)],
       [TEXT.gaps, report.gaps > 0 ? count(report.gaps) : TEXT.none],
       [TEXT.openBorder, report.openBorder > 0 ? TEXT.lengths(inLengths(report.openBorder)) : TEXT.none],
-      [TEXT.sheared, percentWords(report.sheared)],
-      [TEXT.muchSheared, percentWords(report.muchSheared)],
+      [TEXT.sheared, ofCells(percentWords(report.sheared))],
+      [TEXT.muchSheared, ofCells(percentWords(report.muchSheared))],
       [TEXT.folds, report.folds > 0 ? count(report.folds) : TEXT.none],
       'singularVertices' in this.#net
         ? [TEXT.singular, singularWords(this.#net)]

@@ -39,8 +39,9 @@ export class Draper {
   #surface: Surface | null = null;
   /** The surface, cut open, and along what. */
   #opened: { surface: Surface; cuts: string } | null = null;
-  /** The last net. */
+  /** The last net, and the length that it was laid with: one that a border has cut may not say it. */
   #mesh: Mesh | null = null;
+  #length: number | undefined;
 
   constructor(core: Chebnet, post: (response: DrapeResponse) => void) {
     this.#core = core;
@@ -74,7 +75,7 @@ export class Draper {
     const mesh = request.mesh ?? this.#mesh;
     if (mesh === null) throw new Error('no net has been laid');
     const start = performance.now();
-    const report = this.#surface.measure(mesh);
+    const report = this.#surface.measure(mesh, request.mesh ? undefined : this.#length);
     return { type: 'measured', report, milliseconds: performance.now() - start };
   }
 
@@ -121,7 +122,7 @@ export class Draper {
     const lay = performance.now() - start;
     const { mesh, ...rest } = drape;
     const seed = drape.arms === 'curve' ? begunOn(surface, drape) : { ...place, direction };
-    return { type: 'draped', seed, ...rest, ...this.#shown(mesh, { lay }) };
+    return { type: 'draped', seed, ...rest, ...this.#shown(mesh, { lay }, settings.length) };
   }
 
   /** While the seed is dragged the cuts stay. */
@@ -164,8 +165,9 @@ export class Draper {
     };
   }
 
-  #shown(mesh: Mesh, times: PhaseTimes): ShownNet {
+  #shown(mesh: Mesh, times: PhaseTimes, length?: number): ShownNet {
     this.#mesh = mesh;
+    this.#length = length;
     const start = performance.now();
     const shown = withEditor(this.#core, mesh, (editor) => ({ net: describe(editor), fields: editor.fields() }));
     return { ...shown, times: { ...times, open: performance.now() - start } };
@@ -177,7 +179,8 @@ type Promised = Pick<Proposal, 'covered' | 'muchSheared' | 'meanDistance'>;
 /** What is said of the net once it is chosen: trials count the area of their cells. Nothing where it was only tried. */
 function promised(surface: Surface, options: DrapeOptions): Partial<Promised> {
   try {
-    const { coverage, muchSheared, meanDistance, length } = surface.measure(surface.drape(options).mesh);
+    const { length } = options;
+    const { coverage, muchSheared, meanDistance } = surface.measure(surface.drape(options).mesh, length);
     return { covered: coverage, muchSheared, meanDistance: meanDistance / length };
   } catch {
     return {};

@@ -1,4 +1,4 @@
-/** A net as a 3DM file: a mesh, or one for each of its pieces, on one layer, the net lines on another. Loaded when it is asked for. */
+/** A net as a 3DM file: a mesh, or one for each of its pieces, on one layer, its rods on another. Loaded when it is asked for. */
 import rhino3dm from 'rhino3dm';
 import type { Mesh, ObjectAttributes, RhinoModule } from 'rhino3dm';
 import type { VertexLists } from '../../../wasm/chebnet';
@@ -9,16 +9,16 @@ import type { OpenedNet } from '../worker/protocol';
 export interface RhinoNet {
   mesh: Pick<OpenedNet, 'faceStart' | 'faceVertices'>;
   positions: Float64Array;
-  /** Net lines. */
-  lines: VertexLists;
+  /** The lines they are laid along, as lists of rods have them. */
+  rods: VertexLists;
   name: string;
   /** What the layers are called. */
-  layers: { mesh: string; lines: string };
+  layers: { mesh: string; rods: string };
 }
 
 /** @param wasmUrl of the library's module; without it, it is looked for beside the library. */
 export async function rhinoFileOf(
-  { mesh, positions, lines, name, layers }: RhinoNet,
+  { mesh, positions, rods, name, layers }: RhinoNet,
   wasmUrl?: string,
 ): Promise<Uint8Array<ArrayBuffer>> {
   const rhino = await rhino3dm(wasmUrl === undefined ? {} : { locateFile: () => wasmUrl });
@@ -35,11 +35,11 @@ export async function rhinoFileOf(
     meshLayer.name = pieces.length > 1 ? `${name} ${i + 1}` : name;
     file.objects().addMesh(meshOf(rhino, mesh, positions, piece), meshLayer);
   }
-  const lineLayer = on(layers.lines);
-  for (const line of listsOf(lines)) {
+  const rodLayer = on(layers.rods);
+  for (const rod of listsOf(rods)) {
     file.objects().addPolyline(
-      Array.from(line, (vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)]),
-      lineLayer,
+      Array.from(rod, (vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)]),
+      rodLayer,
     );
   }
   return Uint8Array.from(file.toByteArray());

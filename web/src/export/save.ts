@@ -1,5 +1,5 @@
 /** Saves the net that is open as a file of some kind. */
-import type { FlatPattern, FormatInfo, PatternFault } from '../../../wasm/chebnet';
+import type { FlatPattern, FormatInfo, PatternFault, VertexLists } from '../../../wasm/chebnet';
 import { lookOf } from '../document/document';
 import { baseNameOf, fileNameOf } from '../document/file_name';
 import { fieldOf, scaleOf } from '../fields/fields';
@@ -24,6 +24,7 @@ export interface Saveable {
   /** The present net as the bytes of a file. */
   exported(format: ExportFormat): Promise<Uint8Array<ArrayBuffer>>;
   flatPattern(): Promise<FlatPattern | PatternFault>;
+  rods(): Promise<VertexLists>;
   say(message: string, action: { label: string; run(): void }): void;
 }
 
@@ -55,8 +56,9 @@ async function contentOf(request: SaveRequest, opening: Opening, parts: SavePart
     case 'png':
       return app.picture(request.magnification);
     case '3dm':
+      return made(rhinoJob(await app.rods(), opening, app.formats), spawnWorker());
     case 'glb':
-      return made(jobOf(request.kind, opening, theme(), app.formats), spawnWorker());
+      return made(paintedJob(opening, theme(), app.formats), spawnWorker());
     case 'csv':
       return app.exported(request.table);
     case 'svg':
@@ -101,21 +103,25 @@ function drawing(
   };
 }
 
-function jobOf(
-  kind: '3dm' | 'glb',
-  { document, net, frame }: Opening,
-  theme: Theme,
-  formats: readonly FormatInfo[],
-): ExportJob {
-  const name = baseNameOf(document.net, formats);
-  const { edges, faceStart, faceVertices, triangles } = net;
+function rhinoJob(rods: VertexLists, { document, net, frame }: Opening, formats: readonly FormatInfo[]): ExportJob {
+  const { faceStart, faceVertices } = net;
+  return {
+    kind: '3dm',
+    mesh: { faceStart, faceVertices },
+    positions: frame.positions,
+    rods,
+    name: baseNameOf(document.net, formats),
+    layers: panelWords.saving.layers,
+  };
+}
+
+function paintedJob({ document, net, frame }: Opening, theme: Theme, formats: readonly FormatInfo[]): ExportJob {
+  const { edges, triangles } = net;
   const { positions } = frame;
-  const lines = { start: net.lineStart, vertices: net.lineVertices };
-  if (kind === '3dm')
-    return { kind, mesh: { faceStart, faceVertices }, positions, lines, name, layers: panelWords.saving.layers };
   const { field, upAxis: up = 'z' } = document.view;
   const colours = vertexColours(scaleOf(lookOf(document), theme), fieldOf(field), frame, net);
-  return { kind, positions, triangles, edges, colours, ink: theme.ink, up, name };
+  const name = baseNameOf(document.net, formats);
+  return { kind: 'glb', positions, triangles, edges, colours, ink: theme.ink, up, name };
 }
 
 /** Runs a job in a worker, so as not to block the page. */

@@ -1,6 +1,6 @@
 /** The page's side of the worker: requests as promises, frames as events, one drag in flight, and a new worker if the
  *  old one is lost. Failures have the core's code and message, or "worker_lost", or "cancelled", by `cancelOpening`. */
-import type { Axes, Ball, FlatPattern, Handle, PatternFault } from '../../../wasm/chebnet';
+import type { Axes, Ball, FlatPattern, Handle, PatternFault, VertexLists } from '../../../wasm/chebnet';
 import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import { words } from '../language/language';
 import { CRASHED, PROTOCOL_VERSION, touchesNet } from './protocol';
@@ -246,6 +246,10 @@ export class Client {
 
   async flatPattern(): Promise<FlatPattern | PatternFault> {
     return (await this.#ask({ type: 'pattern' }, 'pattern')).pattern;
+  }
+
+  async rods(): Promise<VertexLists> {
+    return (await this.#ask({ type: 'rods' }, 'rods')).rods;
   }
 
   // -------------------------------------------------------------------------------------------------------- requests

@@ -10,6 +10,7 @@ import type {
   ToRest,
   TraceRow,
   UnreachablePair,
+  VertexLists,
 } from '../../../wasm/chebnet';
 import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import type { Tables } from '../net/tables';
@@ -68,6 +69,8 @@ export type Request = { id: number } & (
   | { type: 'nearest'; points: Vec3[] }
   /** The net laid flat. */
   | { type: 'pattern' }
+  /** The lines that its rods are laid along; see Editor.rods(). */
+  | { type: 'rods' }
 );
 
 export interface Measures {
@@ -160,6 +163,7 @@ export type Response = { id: number } & (
   | { type: 'guide'; surface: DrawnSurface | null }
   | { type: 'nearest'; points: Vec3[] }
   | { type: 'pattern'; pattern: FlatPattern | PatternFault }
+  | { type: 'rods'; rods: VertexLists }
   /** While lengths adapt: the scale of the moment. No answer yet. */
   | { type: 'adapting'; scale: number }
   /** The option `length_scale` that was found; null: none does, and nothing has changed. */

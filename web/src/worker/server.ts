@@ -176,6 +176,8 @@ export class Server {
         return this.#reply(request, { type: 'flipped', positions: this.#net().flipped() });
       case 'pattern':
         return this.#reply(request, { type: 'pattern', pattern: this.#net().flatPattern() });
+      case 'rods':
+        return this.#reply(request, { type: 'rods', rods: this.#net().rods() });
       case 'mobility':
         return this.#mobility(request);
       case 'nearest': {

@@ -310,7 +310,7 @@ export const panels = {
     about: ({ sentence }: FormatInfo) => sentence,
     /** Of the page's own. */
     hints: {
-      '3dm': 'Rhino: quads and net lines',
+      '3dm': 'Rhino: quads and rods',
       glb: 'triangles in colour, for slides and the web',
       svg: 'flat pattern, an edge is',
       csv: 'lengths, to cut and to check, of the',
@@ -486,7 +486,7 @@ export const panels = {
     otherVersion: 'this project was made by another version of chebnet.',
   },
   saving: {
-    layers: { mesh: 'Mesh', lines: 'Net lines' },
+    layers: { mesh: 'Mesh', rods: 'Rods' },
     failed: (reason: string) => `The file could not be made: ${reason}`,
     pattern: {
       singular: (vertex: number, valence: number) =>

@@ -503,7 +503,7 @@ export const panels: Widened<typeof en> = {
     pictures: '图像',
     about: ({ name, sentence }: FormatInfo) => FORMATS[name] ?? sentence,
     hints: {
-      '3dm': 'Rhino：四边形与网线',
+      '3dm': 'Rhino：四边形与杆',
       glb: '彩色三角形，用于幻灯片和网页',
       svg: '展开图，边长',
       csv: '长度表，用于裁切与检查，列出',
@@ -667,7 +667,7 @@ export const panels: Widened<typeof en> = {
     otherVersion: '此项目由另一版本的 chebnet 生成。',
   },
   saving: {
-    layers: { mesh: '网格', lines: '网线' },
+    layers: { mesh: '网格', rods: '杆' },
     failed: (reason) => `无法生成文件：${reason}`,
     pattern: {
       singular: (vertex, valence) =>
