@@ -524,7 +524,7 @@ private:
 
     Remesh result(Found& found) {
         end_phase();
-        return {std::move(found.net), std::move(found.singular), std::move(found.kept), m_milliseconds};
+        return {std::move(found.net), std::move(found.singular), std::move(found.kept), 0, m_milliseconds};
     }
 
     std::shared_ptr<const Guide> m_guide;
@@ -670,7 +670,7 @@ private:
             one_piece(m_guide->surface(), m_guide->tree(), cells_asked_for(m_guide->surface(), options), options.length,
                       options.smallest_angle);
         if (!net) return std::nullopt;
-        Remesh result{std::move(*net), {}, {}, {}};
+        Remesh result{std::move(*net), {}, {}, 0, {}};
         result.milliseconds[static_cast<int>(RemeshPhase::fit)] = watch.milliseconds();
         return result;
     }
@@ -752,6 +752,7 @@ Remesh remesh(const std::shared_ptr<const Guide>& guide, const RemeshOptions& op
     Mesh rows = in_rows({made.net.rest_positions(), made.net.faces()});
     made.net = Net(std::move(rows.positions), std::move(rows.faces), RestLengths::equal);
     made.singular = singular_vertices(made.net);
+    made.sharp_quads = sharp_quads(made.net, made.net.rest_positions(), options.smallest_angle - k_angle_tolerance);
     return made;
 }
 

@@ -240,6 +240,19 @@ TEST_CASE("Of singular vertices a net has as few as it takes, if that is asked f
     CHECK(report.mean_distance < 0.2 * report.length);
 }
 
+TEST_CASE("A net whose corners cannot all keep the limit says how many quads do not") {
+    const auto guide = std::make_shared<const Guide>(Surface(samples::torus(24, 12, 2, 1)));
+    RemeshOptions options = of_cells(60);
+    options.smallest_angle = std::numbers::pi / 3;
+    CHECK(remesh(guide, options).sharp_quads == 0);
+    options.singular.vertices = {{{3, 0, 0}, 6}};
+    const Remesh made = remesh(guide, options);
+    const Positions& x = made.net.rest_positions();
+    CHECK(corner_angle_range(made.net, x).smallest < options.smallest_angle - 0.01);
+    CHECK(made.sharp_quads > 0);
+    CHECK(made.sharp_quads == sharp_quads(made.net, x, options.smallest_angle - 1e-3));
+}
+
 TEST_CASE("Singular vertices cancel each other until those of one sign are left") {
     const Surface torus(samples::torus(60, 24, 3, 1)), sphere(samples::sphere(12));
     for (const auto& [surface, index] : {std::pair(&torus, 0), std::pair(&sphere, 8)}) {
