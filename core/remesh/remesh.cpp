@@ -352,8 +352,9 @@ private:
     DirectionField field_along(double smoothing) const {
         const Surface& triangles = m_even->surface;
         const int rounds = static_cast<int>(smoothing * triangles.vertex_count() / k_vertices_a_round);
-        return smoothest_field(triangles, {rounds, m_wishes ? &*m_wishes : nullptr, m_even->creases,
-                                           followed_border(triangles), m_options.border == Border::across});
+        return smoothest_field(triangles,
+                               {rounds, m_wishes ? &*m_wishes : nullptr, m_even->creases, followed_border(triangles),
+                                m_options.border == Border::across, [this] { tell(0); }});
     }
 
     /// `turns`: the field as a whole, if it pays.

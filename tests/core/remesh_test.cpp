@@ -12,6 +12,7 @@
 #include <optional>
 #include <random>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -238,6 +239,18 @@ TEST_CASE("Of singular vertices a net has as few as it takes, if that is asked f
     const Guide guide(rings);
     const DrapeReport report = measure_drape(rings, guide.tree(), net);
     CHECK(report.mean_distance < 0.2 * report.length);
+}
+
+TEST_CASE("Smoothing a field can be ended in each of its rounds") {
+    const Surface sphere(samples::sphere(6));
+    int rounds = 0;
+    FieldOptions options;
+    options.smoothing = 1000;
+    options.go_on = [&rounds] {
+        if (++rounds == 3) throw std::runtime_error("enough");
+    };
+    CHECK_THROWS_AS(smoothest_field(sphere, options), std::runtime_error);
+    CHECK(rounds == 3);
 }
 
 TEST_CASE("A net whose corners cannot all keep the limit says how many quads do not") {
