@@ -662,7 +662,7 @@ export interface RemeshOptions {
   cells?: number;
   /** Of all edges, exactly. */
   length?: number;
-  /** No corner is sharper, in radians; 30° unless said otherwise. */
+  /** No corner is to be sharper, in radians; 30° unless said otherwise. See `sharpQuads` of whether none is. */
   smallestAngle?: number;
   /** 0 … 100, 1 unless said otherwise: the more, the larger are the bumps that make no singular vertices. */
   smoothing?: number;
@@ -736,6 +736,8 @@ export interface Remesh {
   /** Each of them, in the order of their numbers. */
   singular: SingularVertex[];
   kept: KeptWishes;
+  /** With a corner sharper than the limit: above 0 where no net was found that keeps it everywhere. */
+  sharpQuads: number;
   milliseconds: Record<RemeshPhase, number>;
 }
 

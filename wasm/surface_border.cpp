@@ -269,6 +269,7 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
     object.set("singularVertices", singular_vertices_out(made.net));
     object.set("singular", singular_out(made.singular));
     object.set("kept", kept_out(wanted.singular, made.kept));
+    object.set("sharpQuads", made.sharp_quads);
     object.set("milliseconds", milliseconds);
     return object;
 }

@@ -111,6 +111,7 @@ Json remesh_report(const Remesh& made, const DrapeReport& measured, const Singul
         list.push_back(
             {{"vertex", singular.vertex}, {"valence", singular.valence}, {"position", point_json(singular.position)}});
     }
+    report["quads_beyond_shear_limit"] = made.sharp_quads;
     report["singular_vertices"] = made.singular.size();
     report["singular_vertices_by_valence"] = by_valence;
     report["singular"] = list;
@@ -139,6 +140,7 @@ int run_remesh(const RemeshArguments& arguments) {
            {"described", surface_report(describe(guide->surface()))},
            {"net", remesh_report(made, measured, options.singular)},
            {"milliseconds", milliseconds}});
+    if (made.sharp_quads > 0) tell_sharp_quads(made.sharp_quads, options.smallest_angle);
     return k_success;
 }
 
@@ -159,7 +161,9 @@ Command add_remesh(CLI::App& program) {
         ->type_name("LENGTH")
         ->check(length_fault)
         ->excludes(cells);
-    command.add_option("--shear-limit", arguments->smallest_angle, "No corner is sharper than this, in degrees")
+    command
+        .add_option("--shear-limit", arguments->smallest_angle,
+                    "No corner is to be sharper than this, in degrees; a remark says where no such net is found")
         ->type_name("DEGREES")
         ->capture_default_str();
     command

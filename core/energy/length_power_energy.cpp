@@ -1,8 +1,17 @@
 #include "energy/length_power_energy.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace chebnet {
+
+namespace {
+
+// For p < 2, f'' grows beyond all numbers towards r = 1, where most edges of a net at rest are. It grows no more once
+// they are nearer than this.
+constexpr double k_nearest = 1e-8;
+
+}  // namespace
 
 double LengthPowerEnergy::value(double r) const { return std::pow(std::abs(r - 1), m_p); }
 
@@ -11,7 +20,7 @@ double LengthPowerEnergy::slope(double r) const {
 }
 
 double LengthPowerEnergy::second_derivative(double r) const {
-    return m_p * (m_p - 1) * std::pow(std::abs(r - 1), m_p - 2);
+    return m_p * (m_p - 1) * std::pow(std::max(std::abs(r - 1), m_p < 2 ? k_nearest : 0), m_p - 2);
 }
 
 }  // namespace chebnet

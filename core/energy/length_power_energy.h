@@ -7,7 +7,7 @@ namespace chebnet {
 /// D_p, f(r) = |r − 1|^p (Li et al. 2022, eq. 12).
 class LengthPowerEnergy : public EdgeEnergy {
 public:
-    /// p ≥ 2.
+    /// p > 1. Below 2 the second derivative is bounded: its value at r = 1 is finite, not f''(1).
     explicit LengthPowerEnergy(double p) : m_p(p) {}
 
     double value(double r) const override;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <limits>
 #include <random>
 #include <utility>
@@ -74,9 +75,10 @@ Complex transport(const Frame& from, const Frame& to) {
     return fourth_power(unit(to.of(from.x - part * (from.normal + to.normal))));
 }
 
-std::vector<Frame> vertex_frames(const Surface& surface, int smoothing) {
+std::vector<Frame> vertex_frames(const Surface& surface, int smoothing, const std::function<void()>& go_on) {
     Positions normals = surface.vertex_normals();
     for (int round = 0; round < smoothing; ++round) {
+        if (go_on) go_on();
         Positions next = normals;
         for (int s = 0; s < 3 * surface.face_count(); ++s) {
             next.col(surface.from(s)) += normals.col(surface.to(s));
@@ -320,7 +322,7 @@ int nearest_turn(const Surface& surface, const Positions& directions, int side) 
 }  // namespace
 
 DirectionField smoothest_field(const Surface& surface, const FieldOptions& options) {
-    const std::vector<Frame> frames = vertex_frames(surface, options.smoothing);
+    const std::vector<Frame> frames = vertex_frames(surface, options.smoothing, options.go_on);
     const std::vector<bool> followed = followed_border(surface, options);
     Connection connection = natural_connection(surface, frames, followed, options);
     Eigen::VectorXd potential;

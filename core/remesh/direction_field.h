@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "remesh/connection.h"
@@ -18,11 +19,12 @@ struct DirectionField {
 };
 
 struct FieldOptions {
-    int smoothing = 0;                     ///< rounds of it; see smoothest_field
-    const PlacedWishes* wishes = nullptr;  ///< of singular vertices; null: none
-    std::vector<bool> creases;             ///< of each side, whether it is one; empty: there are none
-    std::vector<bool> border;              ///< of each side on the boundary, whether directions follow it; empty: all
-    bool crosses_border = false;           ///< they are at 45° to it, not along it
+    int smoothing = 0;                      ///< rounds of it; see smoothest_field
+    const PlacedWishes* wishes = nullptr;   ///< of singular vertices; null: none
+    std::vector<bool> creases;              ///< of each side, whether it is one; empty: there are none
+    std::vector<bool> border;               ///< of each side on the boundary, whether directions follow it; empty: all
+    bool crosses_border = false;            ///< they are at 45° to it, not along it
+    std::function<void()> go_on = nullptr;  ///< is called before each round of smoothing; whoever wants an end throws
 };
 
 /// The smoothest field (Knöppel, Crane, Pinkall & Schröder, Globally Optimal Direction Fields, 2013), along the

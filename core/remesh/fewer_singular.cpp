@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "net/topology.h"
-
 namespace chebnet {
 
 namespace {
@@ -14,7 +12,7 @@ namespace {
 /// A singular vertex of index 1 or −1; two of them stand where a vertex has twice as much.
 struct Unit {
     Eigen::Vector3d point;
-    int index, piece;
+    int vertex, index, piece;
 };
 
 std::vector<Unit> units_of(const Surface& surface, const DirectionField& field) {
@@ -25,16 +23,15 @@ std::vector<Unit> units_of(const Surface& surface, const DirectionField& field) 
         // Three quarter turns are one the other way.
         for (int k = 0; k < (turns == 2 ? 2 : turns == 0 ? 0 : 1); ++k)
             units.push_back(
-                {surface.positions().col(v), turns == 3 ? -1 : 1, of_face[Surface::face_of(surface.first_side(v))]});
+                {surface.positions().col(v), v, turns == 3 ? -1 : 1, of_face[Surface::face_of(surface.first_side(v))]});
     }
     return units;
 }
 
-SingularWishes wishes_of(const std::vector<Unit>& units) {
-    SingularWishes wishes;
-    wishes.only = true;
-    for (const Unit& unit : units) wishes.vertices.push_back({unit.point, k_regular_valence - unit.index});
-    return wishes;
+std::vector<PlacedWishes::Pin> pins_of(const std::vector<Unit>& units) {
+    std::vector<PlacedWishes::Pin> pins;
+    for (const Unit& unit : units) pins.push_back({unit.vertex, unit.index});
+    return pins;
 }
 
 /// Of each piece, the vertices of its border where none of these sides is.
@@ -78,18 +75,18 @@ Cancelled nearest_to_border(const std::vector<Unit>& units, const std::vector<st
 
 }  // namespace
 
-std::vector<SingularWishes> fewer_and_fewer(const Surface& surface, const DirectionField& field,
-                                            const std::vector<bool>& held_border) {
+std::vector<std::vector<PlacedWishes::Pin>> fewer_and_fewer(const Surface& surface, const DirectionField& field,
+                                                            const std::vector<bool>& held_border) {
     std::vector<Unit> units = units_of(surface, field);
     const std::vector<std::vector<Eigen::Vector3d>> borders = borders_beside(surface, held_border);
-    std::vector<SingularWishes> result = {wishes_of(units)};
+    std::vector<std::vector<PlacedWishes::Pin>> result = {pins_of(units)};
     for (;;) {
         const Cancelled pair = nearest_pair(units), single = nearest_to_border(units, borders);
         const auto& [i, j, distance] = pair.distance <= single.distance ? pair : single;
         if (!std::isfinite(distance)) return result;
         if (i != j) units.erase(units.begin() + static_cast<std::ptrdiff_t>(j));
         units.erase(units.begin() + static_cast<std::ptrdiff_t>(i));
-        result.push_back(wishes_of(units));
+        result.push_back(pins_of(units));
     }
 }
 

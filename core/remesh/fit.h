@@ -23,7 +23,8 @@ struct FitOptions {
                                    ///< be, and its corners at corners; empty: none is
 };
 
-/// A net with the mesh's faces near the surface, all edges of one length and no corner sharper than the limit.
+/// A net with the mesh's faces near the surface, all edges of one length and no corner sharper than the limit, but
+/// where that many projections do not open all of them: lengths come first.
 ///
 /// First edges are evened out while vertices slide over the surface and corners stay open (Gauss–Newton steps); then
 /// net lines bend as little as they can near it (FairStart), on closed surfaces also as they are laid on it, for about

@@ -156,8 +156,7 @@ public:
         m_creases = find_creases(m_guide, m_options.crease, m_options.marked_creases);
         m_even.emplace(even_triangles(m_creases.guide->surface(), m_creases.guide->tree(), k_triangle_length * m_cell,
                                       m_creases.sides));
-        if (!m_options.singular.is_empty())
-            m_wishes = placed(m_options.singular, m_even->surface, m_guide->tree(), m_cell);
+        if (!m_options.singular.is_empty()) m_wishes = placer().placed(m_options.singular, m_guide->tree());
         m_has_border = has_border(m_surface);
         if (std::optional<Found> found = find_with_fewer()) return result(*found);
         if (std::optional<Found> best = find_net()) return result(*best);
@@ -192,6 +191,13 @@ private:
         double distance;  // from the surface, in edges, on average
     };
 
+    using Pins = std::vector<PlacedWishes::Pin>;
+
+    const WishPlacer& placer() {
+        if (!m_placer) m_placer.emplace(m_even->surface, m_cell);
+        return *m_placer;
+    }
+
     /// Nothing if none can be left out, or small nets promise what larger ones do not keep. Over a border that is one
     /// of the net's lines none goes: it would have a corner there.
     std::optional<Found> find_with_fewer() {
@@ -201,9 +207,8 @@ private:
         begin(RemeshPhase::singular);
         const DirectionField field = field_along(m_options.smoothing);
         if (singular_count(field) > k_most_singular_vertices) return std::nullopt;
-        const std::vector<SingularWishes> wishes =
-            fewer_and_fewer(m_even->surface, field, held_border(m_even->surface));
-        if (wishes.size() == 1 || !(m_options.fewest || wishes.back().vertices.empty())) return std::nullopt;
+        const std::vector<Pins> wishes = fewer_and_fewer(m_even->surface, field, held_border(m_even->surface));
+        if (wishes.size() == 1 || !(m_options.fewest || wishes.back().empty())) return std::nullopt;
         const std::optional<PlacedWishes> usual = m_wishes;
         std::optional<Found> found;
         for (int k = last_good(wishes); k > 0 && !found; k = m_options.fewest ? k / 2 : 0) {
@@ -219,7 +224,7 @@ private:
 
     /// The last of the wishes for which a small net is good enough. With `fewest` it is found by halves, as if all
     /// before it were so, too; else it is the last of them or none.
-    int last_good(const std::vector<SingularWishes>& wishes) {
+    int last_good(const std::vector<Pins>& wishes) {
         m_is_trying = true;
         m_usual_tilt.reset();
         const std::optional<PlacedWishes> usual = m_wishes;
@@ -233,7 +238,7 @@ private:
         return good;
     }
 
-    bool is_good_enough(const SingularWishes& wishes, const std::optional<PlacedWishes>& usual) {
+    bool is_good_enough(const Pins& wishes, const std::optional<PlacedWishes>& usual) {
         if (!place(wishes)) return false;
         const std::optional<Net> net = small_net();
         if (!net) return false;
@@ -246,9 +251,9 @@ private:
     }
 
     /// False where two of them have one place.
-    bool place(const SingularWishes& wishes) {
+    bool place(const Pins& wishes) {
         try {
-            m_wishes = placed(wishes, m_even->surface, m_guide->tree(), m_cell);
+            m_wishes = placer().placed_alone(wishes, m_guide->tree());
         } catch (const Error&) {
             return false;
         }
@@ -352,8 +357,9 @@ private:
     DirectionField field_along(double smoothing) const {
         const Surface& triangles = m_even->surface;
         const int rounds = static_cast<int>(smoothing * triangles.vertex_count() / k_vertices_a_round);
-        return smoothest_field(triangles, {rounds, m_wishes ? &*m_wishes : nullptr, m_even->creases,
-                                           followed_border(triangles), m_options.border == Border::across});
+        return smoothest_field(triangles,
+                               {rounds, m_wishes ? &*m_wishes : nullptr, m_even->creases, followed_border(triangles),
+                                m_options.border == Border::across, [this] { tell(0); }});
     }
 
     /// `turns`: the field as a whole, if it pays.
@@ -524,7 +530,7 @@ private:
 
     Remesh result(Found& found) {
         end_phase();
-        return {std::move(found.net), std::move(found.singular), std::move(found.kept), m_milliseconds};
+        return {std::move(found.net), std::move(found.singular), std::move(found.kept), 0, m_milliseconds};
     }
 
     std::shared_ptr<const Guide> m_guide;
@@ -536,6 +542,7 @@ private:
     bool m_has_border = false;
     bool m_holds_lines = true;  // of the grid on creases and border; where no net comes of it, the field alone is so
     std::optional<EvenTriangles> m_even;
+    std::optional<WishPlacer> m_placer;  // on the even triangles, once it is needed
     std::optional<PlacedWishes> m_wishes;
     std::vector<Found> m_found;
     std::string m_first_failure;
@@ -670,7 +677,7 @@ private:
             one_piece(m_guide->surface(), m_guide->tree(), cells_asked_for(m_guide->surface(), options), options.length,
                       options.smallest_angle);
         if (!net) return std::nullopt;
-        Remesh result{std::move(*net), {}, {}, {}};
+        Remesh result{std::move(*net), {}, {}, 0, {}};
         result.milliseconds[static_cast<int>(RemeshPhase::fit)] = watch.milliseconds();
         return result;
     }
@@ -752,6 +759,7 @@ Remesh remesh(const std::shared_ptr<const Guide>& guide, const RemeshOptions& op
     Mesh rows = in_rows({made.net.rest_positions(), made.net.faces()});
     made.net = Net(std::move(rows.positions), std::move(rows.faces), RestLengths::equal);
     made.singular = singular_vertices(made.net);
+    made.sharp_quads = sharp_quads(made.net, made.net.rest_positions(), options.smallest_angle - k_angle_tolerance);
     return made;
 }
 

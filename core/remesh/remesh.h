@@ -33,7 +33,8 @@ struct RemeshOptions {
     int cells = 4000;                              ///< about so many, or more where the surface is too thin for
                                                    ///< them; not asked for if there is a length
     double length = 0;                             ///< L, of all edges; 0: the one that fits with so many cells
-    double smallest_angle = std::numbers::pi / 6;  ///< no corner is sharper, nor blunter than π less it
+    double smallest_angle = std::numbers::pi / 6;  ///< no corner is to be sharper, nor blunter than π less it; see
+                                                   ///< Remesh::sharp_quads
     /// How large a bump may be that makes no singular vertices: 1 as usual, 0 for none, 10 for few singular vertices.
     double smoothing = 1;
     /// As few singular vertices as a net can do with whose corners keep the limit, that is no more than 0.2 edges away
@@ -72,18 +73,20 @@ struct Remesh {
     Net net;
     std::vector<SingularVertex> singular;
     KeptWishes kept;
+    int sharp_quads = 0;  ///< with a corner sharper than the limit: no net was found that keeps it everywhere
     std::array<double, k_remesh_phases> milliseconds{};
 };
 
 /// A net of quads over a whole surface, of any genus and with any number of pieces and boundaries, with singular
 /// vertices where its curvature asks for them: a smooth field of four directions, a grid that follows it with whole
 /// numbers of cells between singular vertices, the cells between its lines, and all edges brought to exactly one
-/// length, no corner sharper than the limit, near the surface. Topology, pieces and boundaries are those of the
-/// surface, but for holes no longer around than a cell, which are covered, and for gaps and slits that Border::fitting
-/// leaves where a net over all of it would crumple. The same input gives the same net. What is wished of its singular
-/// vertices is not always kept, nor is each marked crease followed; of the nets that are tried the one that keeps most
-/// of it is given, with what it keeps. Of a rough surface, such as a noisy scan, the net follows what it is without
-/// what is smaller than its cells (smoothed()), unless creases are followed.
+/// length, near the surface, with no corner sharper than the limit where such a net is found (see Remesh::sharp_quads).
+/// Topology, pieces and boundaries are those of the surface, but for holes no longer around than a cell, which are
+/// covered, and for gaps and slits that Border::fitting leaves where a net over all of it would crumple. The same input
+/// gives the same net. What is wished of its singular vertices is not always kept, nor is each marked crease followed;
+/// of the nets that are tried the one that keeps most of it is given, with what it keeps. Of a rough surface, such as a
+/// noisy scan, the net follows what it is without what is smaller than its cells (smoothed()), unless creases are
+/// followed.
 ///
 /// Throws Error bad_option (numbers out of range; fewest together with wishes for vertices; wishes as check_wishes
 /// does; marked creases as cut_line and cut_open do; a surface that is too thin or too narrow somewhere for cells of

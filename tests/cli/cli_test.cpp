@@ -866,6 +866,7 @@ TEST_CASE("remesh makes a net over a whole surface, reports and writes") {
     CHECK(net.at("vertices").get<int>() == net.at("cells").get<int>() + 2);
     CHECK(net.at("max_dL") < 1e-9);
     CHECK(net.at("smallest_corner_angle_degrees") >= 30);
+    CHECK(net.at("quads_beyond_shear_limit") == 0);
     CHECK(net.at("singular_vertices_by_valence").at("3") >= 8);
     for (const char* phase : {"tree", "triangles", "field", "grid", "fit"})
         CHECK(report.at("milliseconds").at(phase).is_number());

@@ -103,6 +103,15 @@ TEST_CASE("The energy is r^p + r^-p - 2, without cancellation near r = 1") {
     CHECK(PowerEnergy(p).value(1 + t) == Approx(p * p * t * t).epsilon(1e-5));
 }
 
+TEST_CASE("Powers of length below 2 have finite derivatives at r = 1, where their own grow beyond all numbers") {
+    const LengthPowerEnergy energy(1.5);
+    CHECK(std::isfinite(energy.second_derivative(1)));
+    CHECK(energy.second_derivative(1) >= energy.second_derivative(1 + 1e-7));
+    CHECK(energy.second_derivative(1.01) == Approx(1.5 * 0.5 * 10));
+    CHECK(LengthPowerEnergy(2).second_derivative(1) == 2);
+    CHECK(LengthPowerEnergy(4).second_derivative(1) == 0);
+}
+
 TEST_CASE("Every energy has its own value, and none at r = 1") {
     const double r = GENERATE(0.6, 0.97, 1.0, 1.3);
     for (const Sample& sample : energy_samples()) {

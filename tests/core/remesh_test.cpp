@@ -12,6 +12,7 @@
 #include <optional>
 #include <random>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -240,36 +241,91 @@ TEST_CASE("Of singular vertices a net has as few as it takes, if that is asked f
     CHECK(report.mean_distance < 0.2 * report.length);
 }
 
+SingularWishes wished_alone(const Surface& surface, const std::vector<PlacedWishes::Pin>& pins) {
+    SingularWishes wishes;
+    wishes.only = true;
+    for (const PlacedWishes::Pin& pin : pins)
+        wishes.vertices.push_back({surface.positions().col(pin.vertex), 4 - pin.index});
+    return wishes;
+}
+
+TEST_CASE("Singular vertices of a field are placed where they are, and where two stand on one vertex beside it") {
+    const Surface sphere(samples::sphere(24));
+    const SurfaceTree tree(sphere);
+    const WishPlacer placer(sphere, 0.2);
+    const auto same = [](const PlacedWishes::Pin& a, const PlacedWishes::Pin& b) {
+        return a.vertex == b.vertex && a.index == b.index;
+    };
+    for (const std::vector<PlacedWishes::Pin>& pins : fewer_and_fewer(sphere, smoothest_field(sphere, {}), {})) {
+        const PlacedWishes there = placer.placed_alone(pins, tree);
+        const PlacedWishes searched = placer.placed(wished_alone(sphere, pins), tree);
+        CHECK(std::equal(there.pins.begin(), there.pins.end(), pins.begin(), pins.end(), same));
+        CHECK(std::equal(there.pins.begin(), there.pins.end(), searched.pins.begin(), searched.pins.end(), same));
+        CHECK(there.is_forbidden == searched.is_forbidden);
+        CHECK(there.only);
+    }
+    int inner = 0;
+    while (sphere.is_boundary(inner)) ++inner;
+    const PlacedWishes twice = placer.placed_alone({{inner, 1}, {inner, 1}}, tree);
+    CHECK(twice.pins[0].vertex == inner);
+    CHECK(twice.pins[1].vertex != inner);
+    CHECK((sphere.positions().col(twice.pins[1].vertex) - sphere.positions().col(inner)).norm() < 0.6);
+}
+
+TEST_CASE("Smoothing a field can be ended in each of its rounds") {
+    const Surface sphere(samples::sphere(6));
+    int rounds = 0;
+    FieldOptions options;
+    options.smoothing = 1000;
+    options.go_on = [&rounds] {
+        if (++rounds == 3) throw std::runtime_error("enough");
+    };
+    CHECK_THROWS_AS(smoothest_field(sphere, options), std::runtime_error);
+    CHECK(rounds == 3);
+}
+
+TEST_CASE("A net whose corners cannot all keep the limit says how many quads do not") {
+    const auto guide = std::make_shared<const Guide>(Surface(samples::torus(24, 12, 2, 1)));
+    RemeshOptions options = of_cells(60);
+    options.smallest_angle = std::numbers::pi / 3;
+    CHECK(remesh(guide, options).sharp_quads == 0);
+    options.singular.vertices = {{{3, 0, 0}, 6}};
+    const Remesh made = remesh(guide, options);
+    const Positions& x = made.net.rest_positions();
+    CHECK(corner_angle_range(made.net, x).smallest < options.smallest_angle - 0.01);
+    CHECK(made.sharp_quads > 0);
+    CHECK(made.sharp_quads == sharp_quads(made.net, x, options.smallest_angle - 1e-3));
+}
+
 TEST_CASE("Singular vertices cancel each other until those of one sign are left") {
     const Surface torus(samples::torus(60, 24, 3, 1)), sphere(samples::sphere(12));
     for (const auto& [surface, index] : {std::pair(&torus, 0), std::pair(&sphere, 8)}) {
-        const std::vector<SingularWishes> wishes =
+        const std::vector<std::vector<PlacedWishes::Pin>> pins =
             fewer_and_fewer(*surface, smoothest_field(*surface, {}), border_sides(*surface));
-        for (std::size_t k = 0; k < wishes.size(); ++k) {
-            CHECK(wishes[k].only);
-            CHECK(wishes[k].vertices.size() == wishes[0].vertices.size() - 2 * k);
-            check_wishes(Guide(*surface), wishes[k]);  // each adds up to 4 χ
+        for (std::size_t k = 0; k < pins.size(); ++k) {
+            CHECK(pins[k].size() == pins[0].size() - 2 * k);
+            check_wishes(Guide(*surface), wished_alone(*surface, pins[k]));  // each adds up to 4 χ
         }
-        CHECK(static_cast<int>(wishes.back().vertices.size()) == index);
+        CHECK(static_cast<int>(pins.back().size()) == index);
     }
 }
 
 TEST_CASE("Where there is a border singular vertices go over it, the nearest to it first, until none is left") {
     const Surface cap = make_own_surface("hemisphere");
-    const std::vector<SingularWishes> wishes = fewer_and_fewer(cap, smoothest_field(cap, {}), {});
-    REQUIRE(wishes.size() > 1);
-    const auto lowest = [](const SingularWishes& those) {
+    const std::vector<std::vector<PlacedWishes::Pin>> pins = fewer_and_fewer(cap, smoothest_field(cap, {}), {});
+    REQUIRE(pins.size() > 1);
+    const auto lowest = [&cap](const std::vector<PlacedWishes::Pin>& those) {
         double z = std::numeric_limits<double>::infinity();
-        for (const auto& each : those.vertices) z = std::min(z, each.point.z());
+        for (const auto& each : those) z = std::min(z, cap.positions()(2, each.vertex));
         return z;
     };
-    for (std::size_t k = 1; k < wishes.size(); ++k) {
-        const std::size_t gone = wishes[k - 1].vertices.size() - wishes[k].vertices.size();
+    for (std::size_t k = 1; k < pins.size(); ++k) {
+        const std::size_t gone = pins[k - 1].size() - pins[k].size();
         CHECK((gone == 1 || gone == 2));
-        check_wishes(Guide(cap), wishes[k]);
-        if (gone == 1) CHECK(lowest(wishes[k - 1]) <= lowest(wishes[k]));  // the border is at the foot
+        check_wishes(Guide(cap), wished_alone(cap, pins[k]));
+        if (gone == 1) CHECK(lowest(pins[k - 1]) <= lowest(pins[k]));  // the border is at the foot
     }
-    CHECK(wishes.back().vertices.empty());
+    CHECK(pins.back().empty());
 }
 
 TEST_CASE("A hemisphere gets a net without singular vertices that is folded nowhere", "[large]") {
@@ -730,7 +786,7 @@ TEST_CASE("A field along the outer border alone goes around a hole without singu
     REQUIRE(outer != border_sides(dome));
     SingularWishes wishes;
     wishes.only = true;
-    const PlacedWishes none = placed(wishes, dome, SurfaceTree(dome), 0.1);
+    const PlacedWishes none = WishPlacer(dome, 0.1).placed(wishes, SurfaceTree(dome));
     const DirectionField field = smoothest_field(dome, {0, &none, {}, outer});
     CHECK(chebnet::singular_count(field) == 0);
     for (int s = 0; s < 3 * dome.face_count(); ++s) {
@@ -947,7 +1003,7 @@ TEST_CASE("With singular vertices wished for the turns of a field still add up t
     SingularWishes wishes;
     wishes.vertices = {{{1, 0, 0}, 3}, {{0, 1, 0}, 5}, {{0, 0, 1}, 6}};
     wishes.forbidden = {{{-1, 0, 0}, 0.6}};
-    const PlacedWishes on_triangles = placed(wishes, sphere, tree, 0.08);
+    const PlacedWishes on_triangles = WishPlacer(sphere, 0.08).placed(wishes, tree);
     const DirectionField field = smoothest_field(sphere, {0, &on_triangles, {}, {}});
     int sum = 0;
     for (int v = 0; v < sphere.vertex_count(); ++v) {
@@ -982,12 +1038,13 @@ TEST_CASE("A singular vertex wished for stays on its piece and its side of a sur
     add(2 * thickness, true, 0.02);
     const Surface surface(mesh);
     const SurfaceTree tree(surface);
+    const WishPlacer placer(surface, 0.2);
     for (const double height : {0.0, thickness, 2 * thickness}) {
         CAPTURE(height);
         for (const double x : {0.0, 0.02, 0.04, 0.06}) {
             SingularWishes wishes;
             wishes.vertices = {{{x, 0, height}, 3}};
-            const PlacedWishes placed_there = placed(wishes, surface, tree, 0.2);
+            const PlacedWishes placed_there = placer.placed(wishes, tree);
             CHECK(surface.positions()(2, placed_there.pins[0].vertex) == height);
         }
     }

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <numeric>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -15,15 +17,14 @@
 #include "net/measures.h"
 #include "nets.h"
 #include "rest_judge.h"
+#include "solve/method.h"
 
 namespace chebnet::soak {
 namespace {
 
-/// Edits of one net, from rest on, each where the one before has left it.
-constexpr int k_edits_of_a_net = 20;
-
 struct Plan {
     int edits = 2000;
+    int sequence = 20;  // edits of one net, from rest on, each where the one before has left it
     std::uint64_t seed = 1;
     int vertices = 1000;
     std::vector<std::string> methods = {"equilibrium", "projection", "li2022"};
@@ -97,7 +98,7 @@ void edit_net(const NetKind& kind, const std::string& method, std::uint64_t seed
     };
     std::vector<double> times;
     invariants::RestJudge rest;
-    for (int i = 0; i < k_edits_of_a_net; ++i) {
+    for (int i = 0; i < plan.sequence; ++i) {
         const EditKind& edit = random_edit_kind(random);
         const Positions before = editor.positions();
         editor.set_handles(edit.move(editor, random));
@@ -139,32 +140,57 @@ void print(const Tally& tally) {
     std::printf("invariants violated: %d\n", tally.violations);
 }
 
+/// About 0.6 of `count`, and coprime to it: steps of it reach all, and few of them some of all parts of the list.
+std::size_t stride(std::size_t count) {
+    std::size_t step = std::max<std::size_t>(1, count * 3 / 5);
+    while (std::gcd(step, count) > 1) ++step;
+    return step;
+}
+
 int run(const Plan& plan) {
     std::vector<NetKind> kinds = net_kinds(plan.vertices);
+    for (const std::string& name : plan.only)
+        if (std::ranges::none_of(kinds, [&](const NetKind& kind) { return kind.name == name; })) {
+            std::fprintf(stderr, "chebnet_soak: there are no nets of the name \"%s\"; known are", name.c_str());
+            for (const NetKind& kind : kinds) std::fprintf(stderr, " \"%s\"", kind.name.c_str());
+            std::fprintf(stderr, "\n");
+            return 2;
+        }
     if (!plan.only.empty())
         std::erase_if(kinds, [&](const NetKind& kind) {
             return std::find(plan.only.begin(), plan.only.end(), kind.name) == plan.only.end();
         });
     Tally tally;
-    const int nets = (plan.edits + k_edits_of_a_net - 1) / k_edits_of_a_net;
-    for (int i = 0; i < nets; ++i) {
-        const NetKind& kind = kinds[i / plan.methods.size() % kinds.size()];
-        edit_net(kind, plan.methods[i % plan.methods.size()], plan.seed + static_cast<std::uint64_t>(i), plan, tally);
+    const std::size_t nets = static_cast<std::size_t>((plan.edits - 1) / plan.sequence + 1), count = kinds.size();
+    for (std::size_t i = 0; i < nets; ++i) {
+        const NetKind& kind = kinds[i * stride(count) % count];
+        const std::string& method = plan.methods[(i % count + i / count) % plan.methods.size()];
+        edit_net(kind, method, plan.seed + i, plan, tally);
     }
     print(tally);
     return tally.violations > 0 ? 1 : 0;
+}
+
+std::vector<std::string> names_of_methods() {
+    std::vector<std::string> names;
+    for (const MethodInfo& info : method_table()) names.emplace_back(info.name);
+    return names;
 }
 
 }  // namespace
 }  // namespace chebnet::soak
 
 int main(int argc, char** argv) {
+    using chebnet::soak::names_of_methods;
     chebnet::soak::Plan plan;
     CLI::App app("Edits nets at random and judges the results.");
-    app.add_option("--edits", plan.edits, "How many, in sequences of 20 a net; 1: one sequence, told edit by edit");
+    app.add_option("--edits", plan.edits, "How many; 1: one sequence, told edit by edit")
+        ->check(CLI::Range(1, 1'000'000'000));
+    app.add_option("--sequence", plan.sequence, "Edits of one net")->check(CLI::Range(1, 1'000'000'000));
     app.add_option("--seed", plan.seed, "Of the first sequence; each has the next");
-    app.add_option("--vertices", plan.vertices, "How large a net may be");
-    app.add_option("--method", plan.methods, "Instead of equilibrium, projection and li2022 in turn");
+    app.add_option("--vertices", plan.vertices, "How large a net may be")->check(CLI::Range(100, 1'000'000));
+    app.add_option("--method", plan.methods, "Instead of equilibrium, projection and li2022 in turn")
+        ->check(CLI::IsMember(names_of_methods()));
     app.add_option("--net", plan.only, "Only nets of this name");
     app.add_option("--show", plan.show, "Tell of each edit that ends with this status");
     CLI11_PARSE(app, argc, argv);

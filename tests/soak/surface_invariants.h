@@ -13,6 +13,7 @@
 
 #include "drape/drape.h"
 #include "invariants.h"
+#include "net/measures.h"
 #include "surface/surface.h"
 
 /// What must hold of every net that is made on a surface, judged from outside: from positions and faces alone, with
@@ -47,7 +48,7 @@ inline double reckoned_smallest_corner(const Net& net, double length) {
         for (std::size_t k = 0; k < 4; ++k) {
             const Eigen::Vector3d a = (x.col(face[(k + 1) % 4]) - x.col(face[k])) / length,
                                   b = (x.col(face[(k + 3) % 4]) - x.col(face[k])) / length;
-            is_whole = is_whole && std::abs(a.norm() - 1) < 1e-4;
+            is_whole = is_whole && std::abs(a.norm() - 1) < k_whole_edge;
             sharpest = std::min(sharpest, std::atan2(a.cross(b).norm(), a.dot(b)));
         }
         if (is_whole) smallest = sharpest;

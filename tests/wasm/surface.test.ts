@@ -293,6 +293,7 @@ describe('a net over a whole surface', () => {
     withSurface(chebnet.ownSurface('pebble'), (pebble) => {
       const first = pebble.remesh({ cells: 300 });
       expect(first.singular.map(({ valence }) => valence)).toEqual(Array(8).fill(3));
+      expect(first.sharpQuads).toBe(0);
       expect(first.kept).toEqual({
         vertices: [],
         distances: [],

@@ -70,6 +70,28 @@ MarkedCrease any_crease(FuzzedDataProvider& input, const Surface& surface) {
     return points;
 }
 
+/// Of vertices of the surface, and now and then anywhere or for any valence.
+SingularWishes any_wishes(FuzzedDataProvider& input, const Surface& surface) {
+    const auto any_place = [&] {
+        Eigen::Vector3d place = surface.positions().col(input.ConsumeIntegralInRange(0, surface.vertex_count() - 1));
+        if (input.ConsumeIntegralInRange(0, 7) == 0) place.x() = fuzz::any_number(input);
+        return place;
+    };
+    SingularWishes wishes;
+    for (int k = input.ConsumeIntegralInRange(0, 3); k > 0; --k) {
+        const Eigen::Vector3d place = any_place();
+        wishes.vertices.push_back({place, input.ConsumeIntegralInRange(2, 6)});
+    }
+    for (int k = input.ConsumeIntegralInRange(0, 2); k > 0; --k) {
+        const Eigen::Vector3d place = any_place();
+        const double part = input.ConsumeFloatingPointInRange(0.01, 1.0);
+        wishes.forbidden.push_back(
+            {place, input.ConsumeBool() ? part * std::sqrt(surface.area()) : fuzz::any_number(input)});
+    }
+    wishes.only = input.ConsumeIntegralInRange(0, 3) == 0;
+    return wishes;
+}
+
 RemeshOptions any_remesh(FuzzedDataProvider& input, const Surface& surface) {
     RemeshOptions options;
     options.cells = input.ConsumeIntegralInRange(15, 80);
@@ -79,16 +101,21 @@ RemeshOptions any_remesh(FuzzedDataProvider& input, const Surface& surface) {
     for (int k = input.ConsumeIntegralInRange(0, 2); k > 0; --k)
         options.marked_creases.push_back(any_crease(input, surface));
     options.border = input.PickValueInArray({RemeshOptions::Border::always, RemeshOptions::Border::across,
-                                             RemeshOptions::Border::never, RemeshOptions::Border::fitting});
+                                             RemeshOptions::Border::never, RemeshOptions::Border::fitting,
+                                             RemeshOptions::Border::outer});
     options.fewest = input.ConsumeBool();
+    if (input.ConsumeIntegralInRange(0, 3) == 3)
+        options.length = input.ConsumeBool() ? fuzz::any_number(input) : std::sqrt(surface.area() / options.cells);
+    if (input.ConsumeIntegralInRange(0, 3) == 3) options.singular = any_wishes(input, surface);
     return options;
 }
 
 /// Where it can be measured in the time there is: samples of the surface are as many as the cells that would cover it.
-void require_net(const Guide& guide, const Net& net, const invariants::Asked& asked) {
-    const double length = net.rest_lengths().maxCoeff();
+void require_net(const Guide& guide, const Net& net, const invariants::Asked& asked,
+                 std::optional<double> known = std::nullopt) {
+    const double length = known.value_or(net.rest_lengths().maxCoeff());
     if (!(guide.surface().area() < k_most_cells * length * length)) return;
-    const DrapeReport report = measure_drape(guide.surface(), guide.tree(), net);
+    const DrapeReport report = measure_drape(guide.surface(), guide.tree(), net, known);
     for (const std::string& violation : invariants::of_net_on_surface(guide.surface(), net, report, asked))
         require(false, violation);
 }
@@ -112,13 +139,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (input.ConsumeBool() && guide->surface().face_count() <= k_most_remeshed)
             try_to([&] {
                 const RemeshOptions options = any_remesh(input, guide->surface());
-                require_net(*guide, remesh(guide, options).net, {.smallest_angle = options.smallest_angle});
+                const Remesh made = remesh(guide, options);
+                require_net(*guide, made.net,
+                            {.smallest_angle = made.sharp_quads > 0 ? 0 : options.smallest_angle - 1e-3});
             });
         const DrapeOptions options = any_drape(input, *guide);
         const invariants::Asked asked{options.smallest_angle, options.border == DrapeOptions::Border::cut};
-        try_to([&] { require_net(*guide, drape(guide->surface(), guide->tree(), options).net, asked); });
+        try_to(
+            [&] { require_net(*guide, drape(guide->surface(), guide->tree(), options).net, asked, options.length); });
         const double leave = input.ConsumeBool() ? 1 : fuzz::any_number(input);
-        try_to([&] { require_net(*guide, bridged_drape(guide, options, leave).net, asked); });
+        try_to([&] { require_net(*guide, bridged_drape(guide, options, leave).net, asked, options.length); });
     });
     return 0;
 }

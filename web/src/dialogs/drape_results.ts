@@ -98,9 +98,10 @@ export class DrapeResults {
     this.#sayProspect(promised && report.coverage < COVERS ? TEXT.coversLess : '');
   }
 
-  #warningOf({ net }: RemeshedNet, { coverage, folds }: DrapeReport): string {
+  #warningOf({ net, sharpQuads }: RemeshedNet, { coverage, folds }: DrapeReport): string {
     if (folds > FOLDED * 2 * net.info.faces) return TEXT.crumpled(count(folds), this.#againstFolds);
-    return coverage < COVERS ? TEXT.leavesBare(percentWords(1 - coverage)) : '';
+    if (coverage < COVERS) return TEXT.leavesBare(percentWords(1 - coverage));
+    return sharpQuads > 0 ? TEXT.sharp(count(sharpQuads)) : '';
   }
 
   /** A net is being made, which the facts are not of; setNet(), keepNet() or setFault() ends that. */

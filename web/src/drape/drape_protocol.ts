@@ -88,6 +88,8 @@ export interface RemeshedNet extends ShownNet {
   /** Each of them, and the normal of the surface there. */
   singular: SingularPlace[];
   kept: KeptWishes;
+  /** Cells with a corner sharper than the limit. */
+  sharpQuads: number;
 }
 
 export interface SingularPlace extends SurfacePlace {

@@ -153,14 +153,16 @@ export class Draper {
   }
 
   #cover(surface: Surface, options: RemeshOptions): DrapeResponse {
-    const { mesh, singularVertices, singular, kept, milliseconds } = surface.remesh(options, (phase, done) =>
-      this.#post({ type: 'progress', phase, done }),
+    const { mesh, singularVertices, singular, kept, sharpQuads, milliseconds } = surface.remesh(
+      options,
+      (phase, done) => this.#post({ type: 'progress', phase, done }),
     );
     return {
       type: 'remeshed',
       singularVertices,
       singular: singular.map(({ position, valence }) => ({ ...surface.nearest(position), position, valence })),
       kept,
+      sharpQuads,
       ...this.#shown(mesh, milliseconds),
     };
   }

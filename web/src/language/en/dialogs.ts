@@ -182,6 +182,7 @@ export const dialogs = {
     numbers: 'The surface in numbers',
     coversLess: 'This one covers less: drag the seed, turn it, take a proposal, or choose “The whole surface”.',
     crumpled: (folds: string, instead: string) => `Sharp folds at ${folds} edges (over 60°): ${instead}`,
+    sharp: (cells: string) => `No net was found whose corners all keep the limit. Cells with a sharper one: ${cells}.`,
     leavesBare: (part: string) =>
       `${part} of the surface is farther from the net than half an edge. Where it is rough, fewer cells cover more; where it is finely shaped, more.`,
     againstFolds: {
