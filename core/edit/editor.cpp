@@ -233,9 +233,20 @@ bool Editor::goes_on_otherwise(Status status) {
         hold_back(true);
         return true;
     }
-    if (!m_hand.holds_back() || m_hand.has_held_again() || !is_nearly_there()) return false;
+    if (!m_hand.holds_back()) return false;
+    if (m_hand.has_held_again() || !is_nearly_there()) return goes_on_sliding();
     m_hand.hold_again(true);
     hold_back(false);
+    return true;
+}
+
+/// What was held back has been pulled along the axes along which it slides, too. Once it is let go nothing does, and it
+/// is not at rest there.
+bool Editor::goes_on_sliding() {
+    const bool slides = std::any_of(m_hand.vertices().begin(), m_hand.vertices().end(),
+                                    [&](int vertex) { return m_handles[m_handle_at[vertex]].slides != k_no_axes; });
+    if (m_hand.owner() != Hand::Owner::released || !slides) return false;
+    let_go();
     return true;
 }
 

@@ -189,6 +189,7 @@ private:
     void hold_back(bool on);
     void hold_otherwise();
     bool goes_on_otherwise(Status status);
+    bool goes_on_sliding();
     bool take_in_hand();
     bool take_in_hand(const Positions& from);
     void draw_a_step();

@@ -32,6 +32,7 @@ struct Resting {
     const Guide* guide = nullptr;
     const Region* region = nullptr;
     const Positions* shape = nullptr;  // that costs no energy; null: the net's rest positions
+    std::vector<bool> weightless{};    // V, see GravityTerm
 };
 
 /// Of soft handles, and of the region's border where no exact handle is.
@@ -50,7 +51,7 @@ inline std::vector<Pull> pulls_of(const Resting& resting) {
 
 /// ∇E by the terms, whose derivatives are tested for themselves; 0 where nothing may move.
 inline Eigen::Matrix3Xd gradient_of(const Resting& resting, const Positions& x) {
-    const auto& [net, handles, options, guide, region, shape] = resting;
+    const auto& [net, handles, options, guide, region, shape, weightless] = resting;
     const Topology topology(net);
     const Positions& from = shape != nullptr ? *shape : net.rest_positions();
     Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, x.cols());
@@ -67,7 +68,7 @@ inline Eigen::Matrix3Xd gradient_of(const Resting& resting, const Positions& x) 
               std::max(options.shear_limit, 15.0) * k_degree)
         .evaluate(x, gradient);
     TipTerm(net, topology, options.tip_weight).evaluate(x, gradient);
-    GravityTerm(net, options.gravity, -Eigen::Vector3d::UnitZ()).evaluate(x, gradient);
+    GravityTerm(net, options.gravity, -Eigen::Vector3d::UnitZ(), weightless).evaluate(x, gradient);
     const auto mode = static_cast<GuideMode>(options.guide_mode);
     if (guide != nullptr && mode != GuideMode::off)
         ClosenessTerm(net, *guide, 1,

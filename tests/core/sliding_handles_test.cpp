@@ -200,6 +200,21 @@ TEST_CASE("A foot that is dragged higher than the net goes is held back, and eve
     CHECK(max_deviation(net, editor.positions()) < 1e-6);
 }
 
+TEST_CASE("A foot that slides is at rest along the ground once it is let go, though it had been held back") {
+    const Net net = samples::patch(11, 6);
+    Editor editor = editor_of(net, {pinned(net, 0), pinned(net, 55), sliding(net, 10, k_ground), pinned(net, 65)});
+    REQUIRE(editor.solve().status == Status::converged);
+    for (const double height : {4.0, 8.0, 30.0}) {
+        editor.drag_handle(10, {0, 0, height});
+        editor.solve({.iterations = 3});
+    }
+    REQUIRE(editor.holds_back());
+    editor.release_handles();
+    REQUIRE(editor.solve().status == Status::converged);
+    CHECK(!editor.holds_back());
+    CHECK(gradient(editor) < 1.1 * editor.options().rest_tolerance);
+}
+
 TEST_CASE("With projection too the border of a sheet slides inwards, and holds its height to the last bit") {
     const Sheet flat = sheet(9);
     Editor editor = editor_of(flat.net, flat.handles);

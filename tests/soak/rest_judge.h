@@ -47,8 +47,6 @@ public:
         // A hand that is held back pulls by a force of the editor's own.
         if (editor.holds_back() || !has_rest_shape(editor)) return violations;
         ++m_judged;
-        Options energy = options;
-        if (!is_carried(editor)) energy.gravity = 0;  // nothing falls for ever
         std::vector<Handle> holding = editor.handles();
         for (const TautVertex& taut : editor.taut_vertices()) {
             const Eigen::Vector3d a = holding[taut.end_a].target, b = holding[taut.end_b].target,
@@ -57,8 +55,8 @@ public:
                 violations.push_back(text("what is taut is not straight", (x - a).norm()));
             holding.push_back({taut.vertex, x});
         }
-        const samples::Resting resting{editor.net(),         holding,        energy,
-                                       editor.guide().get(), region(editor), &*m_rest_shape};
+        const samples::Resting resting{editor.net(),   holding,        options,           editor.guide().get(),
+                                       region(editor), &*m_rest_shape, weightless(editor)};
         const double gradient = samples::first_order(resting, editor.positions()).gradient;
         const double stiffness = 30 * (options.bending_weight + options.shear_weight + options.guide_weight);
         const double noise = stiffness * digits * std::sqrt(static_cast<double>(editor.positions().size()));
@@ -79,17 +77,22 @@ private:
 
     static const Region* region(const Editor& editor) { return editor.region() ? &*editor.region() : nullptr; }
 
-    /// Whether something in each piece of the net stays at its height, or is drawn somewhere.
-    static bool is_carried(const Editor& editor) {
+    /// V, what lies in pieces of the net of which nothing stays at its height, or is drawn somewhere: no piece falls
+    /// for ever.
+    static std::vector<bool> weightless(const Editor& editor) {
+        const auto mode = static_cast<GuideMode>(editor.options().guide_mode);
+        if (editor.guide() && (mode == GuideMode::near || mode == GuideMode::on)) return {};
         std::vector<bool> carries(static_cast<std::size_t>(editor.net().vertex_count()), false);
         for (const Handle& handle : editor.handles()) carries[handle.vertex] = !has_axis(handle.slides, 2);
         if (const Region* held = region(editor)) {
             for (int v : held->outside) carries[v] = true;
             for (const Pull& pull : held->pulls) carries[pull.vertex] = true;
         }
-        return std::ranges::all_of(editor.topology().components(), [&](const std::vector<int>& piece) {
-            return std::ranges::any_of(piece, [&](int v) { return carries[v]; });
-        });
+        std::vector<bool> falls(carries.size(), false);
+        for (const std::vector<int>& piece : editor.topology().components())
+            if (std::ranges::none_of(piece, [&](int v) { return carries[v]; }))
+                for (int v : piece) falls[v] = true;
+        return falls;
     }
 
     /// The shape from which energy counts: that of the net without handles, which is opened where its corners are too
