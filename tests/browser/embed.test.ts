@@ -60,6 +60,7 @@ test('the page scrolls past it, a click wakes it, a drag moves the net, Escape a
 });
 
 test('buttons of the page move its handle and hear what comes of it', async () => {
+  await settled();
   const { target } = await crown();
   await page.getByRole('button', { name: 'Push the crown down' }).click();
   await expect.poll(async () => (await crown()).target[2]).toBeCloseTo(target[2] - 0.4, 9);
