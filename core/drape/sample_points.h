@@ -9,7 +9,7 @@ namespace chebnet {
 /// A point of a surface, and the part of its area that it stands for.
 struct SamplePoint {
     SurfacePoint at;
-    double area;
+    double area = 0;
 };
 
 /// Points all over a surface: the middles of every `stride`-th triangle. Where these are few, as on a panel of two or a
