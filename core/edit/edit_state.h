@@ -46,7 +46,10 @@ struct Locality {
     std::vector<int> origins;  ///< vertices
     Positions held_at;         ///< 3×V, where the net stood when this began and is held; empty: where it stands now
 
-    bool operator==(const Locality&) const = default;
+    bool operator==(const Locality& other) const {
+        const bool same_size = held_at.cols() == other.held_at.cols();
+        return radius == other.radius && origins == other.origins && same_size && held_at == other.held_at;
+    }
 };
 
 /// The state of an edit, with all that another editor of the same net needs to go on from there: editors that

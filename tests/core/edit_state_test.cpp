@@ -137,6 +137,17 @@ TEST_CASE("Where a state is no net, the net of another state does not count as i
     CHECK(first.last_net() == second.last_net());
 }
 
+TEST_CASE("A locality that holds where the net stands now is another than one that says where") {
+    Editor editor = edited();
+    const Locality there = *editor.state().locality;
+    Locality here = there;
+    here.held_at.resize(3, 0);
+    CHECK(!(here == there));
+    CHECK(there == there);
+    editor.set_locality(there.radius, there.origins);
+    CHECK(editor.state().locality->held_at == editor.positions());
+}
+
 TEST_CASE("A state with anything wrong in it is refused whole") {
     const EditState good = edited().state();
     const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
