@@ -128,6 +128,13 @@ void Editor::give_up_by_hand() {
     m_positions = m_by_hand->before;
 }
 
+/// What comes by while another net is looked for is none.
+void Editor::show_found_net() {
+    if (!m_by_hand || !m_by_hand->found) return;
+    m_positions = m_by_hand->found->positions;
+    snap_held();
+}
+
 /// After a solve that looked for a net by its lengths alone, too: that of less energy stays.
 void Editor::take_better_net(SolveReport& report) {
     if (!m_by_hand || !m_by_hand->found || energy() < m_by_hand->found->energy) return;

@@ -700,7 +700,10 @@ SolveReport Editor::go_on(const Budget& budget) {
     }
     m_running = report.status == Status::running;
     store_positions();
-    if (!m_running) take_better_net(report);
+    if (m_running)
+        show_found_net();
+    else
+        take_better_net(report);
     if (const std::optional<RestState> state = rest_state()) report.to_rest = state->left;
     report.max_deviation = max_deviation(*m_net, m_positions);
     if (report.max_deviation < m_options.threshold) m_last_net = m_positions;

@@ -197,6 +197,7 @@ private:
     bool goes_on_by_hand(SolveReport& report);
     bool goes_on_without_hand(bool has_arrived, SolveReport& report);
     void give_up_by_hand();
+    void show_found_net();
     void take_better_net(SolveReport& report);
     double deviation_with_hand_at_targets() const;
     bool has_all_in_place() const;

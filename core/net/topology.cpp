@@ -170,6 +170,14 @@ std::vector<std::vector<int>> Topology::components() const {
     return components;
 }
 
+std::vector<bool> Topology::in_pieces_without(const std::vector<bool>& is_marked) const {
+    std::vector<bool> without(is_marked.size(), false);
+    for (const std::vector<int>& piece : components())
+        if (std::none_of(piece.begin(), piece.end(), [&](int v) { return is_marked[v]; }))
+            for (int v : piece) without[v] = true;
+    return without;
+}
+
 std::map<int, int> Topology::singular_vertices() const {
     std::map<int, int> counts;
     for (int v = 0; v < m_net.vertex_count(); ++v)

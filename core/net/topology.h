@@ -60,6 +60,8 @@ public:
     /// The pieces that no edge joins, each a list of its vertices.
     std::vector<std::vector<int>> components() const;
     int component_count() const { return static_cast<int>(components().size()); }
+    /// V: whether no vertex of the piece is marked. `is_marked`: V.
+    std::vector<bool> in_pieces_without(const std::vector<bool>& is_marked) const;
     /// Inner vertices of a valence other than 4 (Li et al. 2022, section 2): valence → how many.
     std::map<int, int> singular_vertices() const;
 

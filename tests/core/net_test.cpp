@@ -146,6 +146,10 @@ TEST_CASE("Topology of open, closed and separate pieces") {
     const Net two(x, faces);
     const Topology of_two(two);
     CHECK(of_two.component_count() == 2);
+    std::vector<bool> is_marked(8, false);
+    CHECK(of_two.in_pieces_without(is_marked) == std::vector<bool>(8, true));
+    is_marked[6] = true;
+    CHECK(of_two.in_pieces_without(is_marked) == std::vector<bool>{true, true, true, true, false, false, false, false});
     CHECK(of_two.boundary_loops().size() == 2);
     CHECK(std::isinf(of_two.distances_from(0)[4]));
 }

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
+
+#include "solve/method.h"
 
 namespace chebnet::soak {
 
@@ -119,7 +122,23 @@ Options random_behaviour(Random& random) {
     return options;
 }
 
-std::vector<Handle> random_handles(const Net& net, Random& random) {
+namespace {
+
+/// At least one stays exact.
+void make_some_otherwise(std::vector<Handle>& handles, std::string_view method, Random& random) {
+    const auto table = method_table();
+    const auto info = std::ranges::find_if(table, [&](const MethodInfo& each) { return each.name == method; });
+    const bool knows_pulls = info->make()->knows_pulls();
+    for (std::size_t i = 1; i < handles.size(); ++i) {
+        const auto kind = random() % 3;
+        if (kind == 0 && knows_pulls) handles[i].weight = std::pow(10, real(random, -2, 2));
+        if (kind == 1 && info->slides) handles[i].slides = 1 + static_cast<Axes>(random() % 6);
+    }
+}
+
+}  // namespace
+
+std::vector<Handle> random_handles(const Net& net, std::string_view method, Random& random) {
     std::vector<int> vertices(static_cast<std::size_t>(net.vertex_count()));
     std::iota(vertices.begin(), vertices.end(), 0);
     std::shuffle(vertices.begin(), vertices.end(), random);
@@ -127,7 +146,17 @@ std::vector<Handle> random_handles(const Net& net, Random& random) {
     vertices.resize(std::min(wanted, vertices.size()));
     std::vector<Handle> handles;
     for (int v : vertices) handles.push_back({v, net.rest_positions().col(v)});
+    if (random() % 3 == 0) make_some_otherwise(handles, method, random);
     return handles;
+}
+
+Manner random_manner(Random& random) {
+    Manner manner;
+    manner.drags = random() % 3 == 0;
+    if (random() % 5 == 0) manner.radius = std::pow(10, real(random, 0, 1.5));
+    if (random() % 2 == 0) manner.iterations = 1 + static_cast<int>(random() % 12);
+    if (random() % 4 == 0) manner.along = 1 + static_cast<Axes>(random() % 7);
+    return manner;
 }
 
 }  // namespace chebnet::soak

@@ -22,6 +22,9 @@
 namespace chebnet::soak {
 namespace {
 
+/// Of one edit, before it is left to come to its end.
+constexpr int k_most_frames = 60;
+
 struct Plan {
     int edits = 2000;
     int sequence = 20;  // edits of one net, from rest on, each where the one before has left it
@@ -80,6 +83,50 @@ void count_times(std::vector<double> times, const std::string& net, Tally& tally
     if (median > 0) tally.worst_ratio = std::max(tally.worst_ratio, worst / median);
 }
 
+/// What `after` puts elsewhere than they are.
+std::vector<Handle> going(const Editor& editor, std::vector<Handle> after) {
+    std::erase_if(after, [&](const Handle& handle) {
+        return std::ranges::any_of(editor.handles(), [&](const Handle& before) { return before == handle; });
+    });
+    return after;
+}
+
+/// Brings handles there in some manner, judging each frame. Returns the report of the last.
+SolveReport edit(Editor& editor, std::vector<Handle> handles, const Manner& manner, invariants::RestJudge& rest,
+                 invariants::Violations& violations) {
+    const auto frame = [&](const Budget& budget) {
+        const Positions before = editor.positions();
+        SolveReport report = editor.solve(budget);
+        for (std::string& violation : invariants::of_solve(editor, report, budget, before))
+            violations.push_back(std::move(violation));
+        for (std::string& violation : rest.of_solve(editor, report)) violations.push_back(std::move(violation));
+        return report;
+    };
+    const std::vector<Handle> changed = going(editor, handles);
+    if (manner.radius > 0 && changed.size() == 1) editor.set_locality(manner.radius, std::vector{changed[0].vertex});
+    if (manner.drags) {
+        for (const Handle& handle : changed) {
+            editor.drag_handle(handle.vertex, handle.target, manner.along);
+            if (manner.iterations > 0) frame({.iterations = manner.iterations});
+        }
+        editor.release_handles();
+    } else if (manner.radius > 0) {
+        for (const Handle& handle : changed) editor.move_handle(handle.vertex, handle.target);
+    } else {
+        editor.set_handles(std::move(handles));
+    }
+    SolveReport report;
+    double milliseconds = 0;
+    report.status = Status::running;
+    for (int k = 0; manner.iterations > 0 && k < k_most_frames && report.status == Status::running; ++k) {
+        report = frame({.iterations = manner.iterations});
+        milliseconds += report.milliseconds;
+    }
+    if (report.status == Status::running) report = frame({});
+    report.milliseconds += milliseconds;
+    return report;
+}
+
 /// One net, one method: a sequence that depends on nothing but its seed.
 void edit_net(const NetKind& kind, const std::string& method, std::uint64_t seed, const Plan& plan, Tally& tally) {
     Random random(seed);
@@ -87,7 +134,7 @@ void edit_net(const NetKind& kind, const std::string& method, std::uint64_t seed
     EditState state = editor.state();
     state.method = method;
     state.options = random_behaviour(random);
-    state.handles = random_handles(editor.net(), random);
+    state.handles = random_handles(editor.net(), method, random);
     editor.set_state(std::move(state));
     const auto tell = [&](int i, const EditKind& edit, const SolveReport& report, const std::string& what) {
         std::printf(
@@ -99,17 +146,15 @@ void edit_net(const NetKind& kind, const std::string& method, std::uint64_t seed
     std::vector<double> times;
     invariants::RestJudge rest;
     for (int i = 0; i < plan.sequence; ++i) {
-        const EditKind& edit = random_edit_kind(random);
-        const Positions before = editor.positions();
-        editor.set_handles(edit.move(editor, random));
-        const SolveReport report = editor.solve();
+        const EditKind& kind_of_edit = random_edit_kind(random);
+        std::vector<Handle> handles = kind_of_edit.move(editor, random);
+        invariants::Violations violations;
+        const SolveReport report = edit(editor, std::move(handles), random_manner(random), rest, violations);
         times.push_back(report.milliseconds);
-        count(editor, edit, method, report, tally);
-        invariants::Violations violations = invariants::of_solve(editor, report, {}, before);
-        for (std::string& violation : rest.of_solve(editor, report)) violations.push_back(std::move(violation));
+        count(editor, kind_of_edit, method, report, tally);
         tally.violations += static_cast<int>(violations.size());
-        for (const std::string& violation : violations) tell(i, edit, report, ", VIOLATED: " + violation);
-        if (plan.edits == 1 || plan.show == to_string(report.status)) tell(i, edit, report, "");
+        for (const std::string& violation : violations) tell(i, kind_of_edit, report, ", VIOLATED: " + violation);
+        if (plan.edits == 1 || plan.show == to_string(report.status)) tell(i, kind_of_edit, report, "");
     }
     const std::string net = kind.name + " of " + std::to_string(editor.net().vertex_count()) + " vertices, " + method;
     count_times(std::move(times), net, tally);

@@ -273,11 +273,7 @@ std::vector<bool> Equilibrium::weightless() const {
     for (std::size_t v = 0; v < carries.size(); ++v) carries[v] = !m_is_free[v];
     for (const Slide& slide : m_slides) carries[slide.vertex] = !has_axis(slide.along, z);
     for (const Pull& pull : m_pulls) carries[pull.vertex] = true;
-    std::vector<bool> falls(m_is_free.size(), false);
-    for (const std::vector<int>& piece : m_topology->components())
-        if (std::none_of(piece.begin(), piece.end(), [&](int v) { return carries[v]; }))
-            for (int v : piece) falls[v] = true;
-    return falls;
+    return m_topology->in_pieces_without(carries);
 }
 
 /// False if the systems for it would be too large.

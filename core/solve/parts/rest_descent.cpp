@@ -50,23 +50,16 @@ constexpr int k_most_bows = 6, k_most_loads = 20;  // that are tried
 // A net has given way nowhere with less energy of bending than this.
 constexpr double k_unbent = 1e-9;
 
-/// V, what lies in pieces of a net without anything held, sliding or pulled. Empty where that is all of it, or nothing.
+/// V, what lies in pieces of a net without anything held, sliding or pulled. Empty where that is all of it.
 std::vector<bool> loose_vertices(const Topology& topology, const std::vector<bool>& is_free,
                                  std::span<const Slide> slides, std::span<const Pull> pulls) {
-    std::vector<bool> holds(is_free.size()), is_loose(is_free.size(), false);
+    std::vector<bool> holds(is_free.size());
     for (std::size_t v = 0; v < holds.size(); ++v) holds[v] = !is_free[v];
     for (const Slide& slide : slides) holds[slide.vertex] = true;
     for (const Pull& pull : pulls) holds[pull.vertex] = true;
-    bool has_held = false, has_loose = false;
-    for (const std::vector<int>& piece : topology.components()) {
-        if (std::any_of(piece.begin(), piece.end(), [&](int v) { return holds[v]; })) {
-            has_held = true;
-            continue;
-        }
-        has_loose = true;
-        for (int v : piece) is_loose[v] = true;
-    }
-    return has_held && has_loose ? is_loose : std::vector<bool>();
+    std::vector<bool> is_loose = topology.in_pieces_without(holds);
+    if (std::find(is_loose.begin(), is_loose.end(), false) == is_loose.end()) is_loose.clear();
+    return is_loose;
 }
 
 }  // namespace
@@ -191,8 +184,9 @@ bool RestDescent::is_idle(double energy_before, double force_before) {
 /// while the energy falls. False if there the net cannot be linearised.
 bool RestDescent::follow_path(Positions& positions) {
     if (m_steps < k_steps_of_a_path || !m_path.is_known() || m_lack > CornerLimit::k_tolerance) return true;
-    const std::vector<double> held = m_constraints->held();
-    double least = m_energy + m_newton->error_cost(), taken = 0;
+    std::vector<double> held = m_constraints->held();
+    double least = m_energy + m_newton->error_cost();
+    bool leads_on = false;
     for (double t = 1;; t *= 2) {
         m_path.go(t, m_origin);
         if (m_path.farthest(m_origin) > k_most_along_path * m_net->mean_length() ||
@@ -201,12 +195,13 @@ bool RestDescent::follow_path(Positions& positions) {
         const double energy = m_rest_energy.evaluate(m_origin, m_next_gradient) + error_cost();
         if (!(energy < least)) break;
         least = energy;
-        taken = t;
+        leads_on = true;
+        m_farthest = m_origin;
+        held = m_constraints->held();
     }
     m_constraints->hold(held);
-    if (taken > 0) {
-        m_path.go(taken, positions);
-        project(positions, m_options.threshold);
+    if (leads_on) {
+        positions = m_farthest;
         m_is_still = false;
     } else {
         m_path.clear();

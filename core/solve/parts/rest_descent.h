@@ -128,7 +128,8 @@ private:
     double m_lack = 0;  // of the limit
 
     Eigen::Matrix3Xd m_direction, m_next_gradient;
-    Positions m_origin;
+    Positions m_origin;    // of a step; while a path is followed, its next point
+    Positions m_farthest;  // where such a path led with the least energy
 };
 
 }  // namespace chebnet
