@@ -59,6 +59,7 @@ private:
     Status without_rest(const Positions& positions) const;
     std::vector<bool> weightless() const;
     bool prepare_energy(const Positions& positions, bool same_energy);
+    void begin_as_net(const Positions& positions);
     void begin_walk_home();
     Stage first_stage(const Positions& positions);
     bool was_left(const Positions& before, const Positions& positions) const;
@@ -95,7 +96,7 @@ private:
     const Positions* m_last_net = nullptr;  // of the problem
     Stage m_stage = net;
     Positions m_result;           // where the method last left the net; empty: nowhere
-    bool m_began_as_net = false;  // this solve, which walks to it all the same
+    bool m_began_as_net = false;  // this solve, or the walk home, which walk to another one all the same
     Positions m_begun;            // if so
     bool m_was_placed = false;    // the rest shape, in this solve: a walk has begun there
     Positions m_stuck_at;         // where a walk before that ended early; empty: none did
@@ -227,8 +228,8 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
         if (m_stage == net) return status == Status::converged ? without_rest(positions) : status;
     }
     if (m_stage == follow) {
-        m_began_as_net = m_max_deviation < m_options.threshold;
-        if (m_began_as_net) m_begun = positions;
+        m_began_as_net = false;
+        if (m_max_deviation < m_options.threshold) begin_as_net(positions);
         m_walk.begin(m_result, positions, m_net->mean_length());
         if (!m_only_nets) begin_walk_home();
     } else {
@@ -251,6 +252,12 @@ bool Equilibrium::is_held_as_net() const {
 Status Equilibrium::without_rest(const Positions& positions) const {
     if (m_part->size() > 0) return Status::exact;
     return limit().largest_lack(positions) <= 2 * CornerLimit::k_tolerance ? Status::converged : Status::stalled;
+}
+
+/// These stay until a walk has come to another net.
+void Equilibrium::begin_as_net(const Positions& positions) {
+    m_began_as_net = true;
+    m_begun = positions;
 }
 
 /// Where handles are at home, or jump to where the rest shape is nearer than the last net, the walk begins at the rest
@@ -426,7 +433,10 @@ void Equilibrium::add_bow(const Positions& x, Eigen::Matrix3Xd& moves) {
 /// all edges had their lengths, from there, or else by `projection`; none of the two if only walks are asked for.
 Status Equilibrium::find_another_net(Positions& positions) {
     if (begin_at_rest_shape(std::numeric_limits<double>::infinity())) {
-        m_stuck_at = positions;
+        if (max_deviation(*m_net, positions) < m_options.threshold)
+            begin_as_net(positions);
+        else
+            m_stuck_at = positions;
         return Status::running;
     }
     if (m_only_walks) {
