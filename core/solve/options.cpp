@@ -71,8 +71,9 @@ const Entry k_entries[] = {
     {{"weft_stiffness", k_number, 1e-3, 1e3, "Stiffness of net lines of the second of two families."},
      &Options::weft_stiffness},
     {{"square_corners", k_flag, 0, 1, "Quads want right angles, not those at rest."}, &Options::square_corners},
-    {{"gravity", k_number, 0, 1e6, "The weight of an edge, downwards along z, in method equilibrium."},
+    {{"gravity", k_number, 0, 1e6, "The weight of an edge, which acts downwards, in method equilibrium."},
      &Options::gravity},
+    {{"y_up", k_flag, 0, 1, "Weight acts downwards along y, not along z, in method equilibrium."}, &Options::y_up},
     {{"guide_mode", k_integer, 0, k_guide_modes - 1,
       "What a guide surface does, in method equilibrium: 0 nothing, 1 draws the net near, 2 holds it on, 3 keeps it "
       "outside."},

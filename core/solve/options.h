@@ -45,6 +45,7 @@ struct Options {
     double weft_stiffness = 1;          ///< and for the second; of no effect where there are not two (edge_families())
     bool square_corners = false;        ///< equilibrium: quads want right angles rather than those at rest
     double gravity = 0;                 ///< equilibrium: the weight of an edge, see GravityTerm
+    bool y_up = false;                  ///< equilibrium: weight acts downwards along y rather than z
     int guide_mode = 1;                 ///< equilibrium: a GuideMode, of no effect without a guide
     double guide_weight = 0.3;          ///< equilibrium: of ClosenessTerm, see k_guided_vertices
     double rest_tolerance = 1e-4;       ///< equilibrium: at rest when the gradient that constraints leave is below
@@ -52,6 +53,9 @@ struct Options {
 
     bool operator==(const Options&) const = default;
 };
+
+/// Against which weight acts.
+inline int up_axis(const Options& options) { return options.y_up ? 1 : 2; }
 
 /// Sets one option from text, e.g. set_option(o, "p_end", "30") or ("adaptive_p", "off"). Booleans take
 /// on/off/true/false/1/0. Throws Error bad_option, naming the known options or the range, if key or value are not

@@ -68,7 +68,7 @@ inline Eigen::Matrix3Xd gradient_of(const Resting& resting, const Positions& x) 
               std::max(options.shear_limit, 15.0) * k_degree)
         .evaluate(x, gradient);
     TipTerm(net, topology, options.tip_weight).evaluate(x, gradient);
-    GravityTerm(net, options.gravity, -Eigen::Vector3d::UnitZ(), weightless).evaluate(x, gradient);
+    GravityTerm(net, options.gravity, -Eigen::Vector3d::Unit(options.y_up ? 1 : 2), weightless).evaluate(x, gradient);
     const auto mode = static_cast<GuideMode>(options.guide_mode);
     if (guide != nullptr && mode != GuideMode::off)
         ClosenessTerm(net, *guide, 1,

@@ -51,6 +51,12 @@ const std::vector<Case>& cases() {
              editor.set_option("threshold", "1e-2");
              return editor;
          }},
+        {"a sheet that hangs",
+         [] {
+             Editor editor = pulled("sheet:vertices=100", {-1, -1, 1});
+             editor.set_option("gravity", "0.02");
+             return editor;
+         }},
         // Here hardly any method gets to the end.
         {"stairs pulled up",
          [] {
@@ -93,6 +99,7 @@ const std::map<std::string, std::string>& other_values() {
         {"weft_stiffness", "10"},
         {"square_corners", "on"},
         {"gravity", "0.01"},
+        {"y_up", "on"},
         {"guide_mode", "2"},
         {"guide_weight", "3"},
         {"rest_tolerance", "1e-9"},

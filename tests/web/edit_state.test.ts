@@ -252,6 +252,29 @@ test('is seen anew where another axis is to be up, and only then', async () => {
   expect(app.opening!.document.view.behind).toBeUndefined();
 });
 
+test('hangs downwards as it is seen, which a net opened after it does, too', async () => {
+  const { app } = page;
+  const isYUp = () => app.opening!.document.options.y_up === true;
+  const lowest = (axis: number) => Math.min(...present().positions!.filter((_, i) => i % 3 === axis));
+  await app.setOptions({ method: 'equilibrium', initialisation: 'naive', options: { gravity: 0.01 } });
+  await page.solve();
+  const [upright, onItsSide] = [lowest(2), lowest(1)];
+  app.setView({ upAxis: 'y' });
+  await page.solve();
+  expect(isYUp()).toBe(true);
+  expect(lowest(2)).toBeGreaterThan(upright);
+  expect(lowest(1)).toBeLessThan(onItsSide);
+
+  await app.openNet({ recipe: 'sheet:vertices=100' }, 'y');
+  expect(isYUp()).toBe(true);
+  await app.openNet({ recipe });
+  expect(isYUp()).toBe(false);
+  app.setView({ upAxis: 'y' });
+  expect(isYUp()).toBe(true);
+  app.setView({ upAxis: 'z' });
+  expect(isYUp()).toBe(false);
+});
+
 test('goes by one step to rest with other options, and to all of the net moving; one undo brings it back', async () => {
   const { app } = page;
   for (const doing of [() => app.reset({ shear_limit: 0 }), () => app.moveWhole()]) {

@@ -53,7 +53,7 @@ std::unique_ptr<Term> closeness(const Net& net, const Guide& guide, double unit,
 bool RestEnergy::is_the_same(const Options& a, const Options& b) {
     const auto asked = [](const Options& o) {
         return std::tuple(o.shear_limit, o.bending_weight, o.shear_weight, o.tip_weight, o.straight_rods,
-                          o.rod_curvature, o.warp_stiffness, o.weft_stiffness, o.square_corners, o.gravity,
+                          o.rod_curvature, o.warp_stiffness, o.weft_stiffness, o.square_corners, o.gravity, o.y_up,
                           o.guide_mode, o.guide_weight);
     };
     return asked(a) == asked(b);
@@ -76,7 +76,8 @@ void RestEnergy::choose(const Net& net, const Topology& topology, const Position
         std::make_unique<ShearTerm>(net, rest_shape, options.shear_weight, shear_reference(options), open_angle));
     if (options.tip_weight > 0) m_terms.push_back(std::make_unique<TipTerm>(net, topology, options.tip_weight));
     if (options.gravity > 0)
-        m_terms.push_back(std::make_unique<GravityTerm>(net, options.gravity, -Eigen::Vector3d::UnitZ(), weightless));
+        m_terms.push_back(
+            std::make_unique<GravityTerm>(net, options.gravity, -Eigen::Vector3d::Unit(up_axis(options)), weightless));
     if (is_guided(options, guide)) m_terms.push_back(closeness(net, *guide, unit, options));
     if (!pulls.empty()) m_terms.push_back(std::make_unique<PullTerm>(net, pulls));
 }

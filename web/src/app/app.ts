@@ -15,7 +15,7 @@ import type {
   UpAxis,
   ViewState,
 } from '../document/document';
-import { asMade } from '../document/defaults';
+import { asMade, weighed } from '../document/defaults';
 import { longestMove } from '../document/longest_move';
 import { sharpFolds } from '../net/fold';
 import type { ChangeName } from '../document/naming';
@@ -291,6 +291,16 @@ export class App {
     const view = { ...before, ...(isTurned && { camera: null, behind: undefined }), ...change };
     this.#state.change({ view });
     if (change.camera === undefined) this.#presenter.setAppearance({ ...this.opening.document, view });
+    if (isTurned) this.#turnWeight(view.upAxis);
+  }
+
+  /** What hangs, hangs downwards as it is seen now. */
+  #turnWeight(upAxis: UpAxis | undefined): void {
+    const { method, initialisation, options } = this.opening!.document;
+    const { y_up = false } = weighed(options, upAxis);
+    if (y_up === (options.y_up ?? false)) return;
+    const settings = { method, initialisation, options: { ...options, y_up } };
+    this.#attempt(this.setOptions(settings).then(() => this.#client.solve()));
   }
 
   // ----------------------------------------------------------------------------------------------------------- solving

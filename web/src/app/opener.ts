@@ -1,6 +1,6 @@
 /** Opens nets and goes through the history: one at a time; until the next net is open the present one stays. */
 import { type NamedChange, netChange, netTitle } from '../document/changes';
-import { asMade, freshScene, turned, usualMethod } from '../document/defaults';
+import { asMade, freshScene, turned, usualMethod, weighed } from '../document/defaults';
 import type { NetSource, Scene, UpAxis, ViewPlace, ViewState } from '../document/document';
 import type { Project } from '../document/project';
 import type { Entry, Snapshot } from '../document/undo';
@@ -97,7 +97,7 @@ export class Opener {
     if (this.#state.opening === null) return this.openScene(fresh);
     const { document } = this.#state.opening;
     const { initialisation } = document;
-    const options = asMade(document.options);
+    const options = weighed(asMade(document.options), upAxis);
     const { upAxis: __, behind: ___, ...view } = document.view;
     const method = document.method === usualMethod(document.net) ? fresh.method : document.method;
     const scene = {

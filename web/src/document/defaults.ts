@@ -18,6 +18,11 @@ export function turned(upAxis: UpAxis | undefined): Pick<ViewState, 'upAxis'> {
   return upAxis === 'y' ? { upAxis } : {};
 }
 
+/** Settings for a net that is seen with this axis up: weight acts downwards. */
+export function weighed({ y_up: _, ...options }: SolverOptions, upAxis: UpAxis | undefined): SolverOptions {
+  return upAxis === 'y' && Number(options.gravity) > 0 ? { ...options, y_up: true } : options;
+}
+
 /** What a net is solved with unless somebody chooses otherwise. */
 export function usualMethod(net: NetSource): string {
   return vertexCount(net) > MOST_VERTICES_AT_REST ? METHOD_OF_LARGE_NETS : METHOD_AT_REST;

@@ -1,7 +1,7 @@
 /** How the net behaves: by its lengths alone, or as material at rest, stiff or soft, how narrow its corners may get, and how
  *  long its edges are. In terms of designers, for options of the solver. */
-import { METHOD_AT_REST } from '../document/defaults';
-import type { ChebnetDocument, HandleData, SolverOptions } from '../document/document';
+import { METHOD_AT_REST, weighed } from '../document/defaults';
+import type { ChebnetDocument, HandleData, SolverOptions, UpAxis } from '../document/document';
 import type { ChangeName } from '../document/naming';
 import { make, makeSection, makeSelect, setText, setValue } from '../elements/dom';
 import { words } from '../language/language';
@@ -50,8 +50,8 @@ function weightText(step: number): string {
 }
 
 /** Whether the net can hang by a handle: not by one that slides up and down. */
-function carries({ slides }: HandleData): boolean {
-  return slides?.includes('z') !== true;
+function carries({ slides }: HandleData, up: UpAxis): boolean {
+  return slides?.includes(up) !== true;
 }
 
 export class BehaviourPanel implements Panel {
@@ -126,7 +126,8 @@ export class BehaviourPanel implements Panel {
     this.#limit.set(Math.round(Number(this.#option('shear_limit')) / DEGREES));
     this.#weight.set(this.#weightStep());
     this.#setLength(Number(this.#option('length_scale') ?? 1));
-    const falls = isMaterial && this.#weightStep() > 0 && !document.handles.some(carries);
+    const up = this.#option('y_up') ? 'y' : 'z';
+    const falls = isMaterial && this.#weightStep() > 0 && !document.handles.some((handle) => carries(handle, up));
     setText(this.#unheld, falls ? words.behaviour.unheld : '');
     this.#guidePlace.hidden = document.guide === undefined;
     if (document.guide) this.#setGuide().catch(this.#failed);
@@ -169,7 +170,8 @@ export class BehaviourPanel implements Panel {
 
   #chooseWeight(step: number): void {
     const gravity = step === 0 ? 0 : Number((this.#lightest * 10 ** ((step - 1) / TENFOLD)).toPrecision(3));
-    this.#set(METHOD_AT_REST, { gravity }, ['weight', String(step)]);
+    const change = weighed({ gravity }, this.#document?.view.upAxis);
+    this.#set(METHOD_AT_REST, { y_up: false, ...change }, ['weight', String(step)]);
   }
 
   /** "Let edges grow" finds what lies between the steps, or beyond them. */
