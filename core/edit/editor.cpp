@@ -511,17 +511,20 @@ void Editor::prepare() {
 /// Decides where the handles are to be for the solver, which is at their targets unless those are too far.
 void Editor::draw_targets_near() {
     const auto count = static_cast<Eigen::Index>(m_handles.size());
-    Eigen::Matrix3Xd targets(3, count), rest(3, count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        targets.col(i) = goal(m_handles[i]);
-        rest.col(i) = m_net->rest_positions().col(m_handles[i].vertex);
-    }
     const double farthest = k_farthest_target * m_net->mean_length();
+    Eigen::Matrix3Xd targets(3, count), rest(3, count);
+    bool is_far = false;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        rest.col(i) = m_net->rest_positions().col(m_handles[i].vertex);
+        targets.col(i) = goal(m_handles[i]);
+        // What only draws is reached by nothing anyway.
+        if (!m_handles[i].is_exact()) targets.col(i) = drawn_near(targets.col(i), rest.col(i), farthest);
+        is_far |= m_handles[i].is_exact() && (targets.col(i) - rest.col(i)).cwiseAbs().maxCoeff() > farthest;
+    }
     const std::vector<UnreachablePair> pairs = unreachable_pairs();
     m_stops_short =
         !pairs.empty() && !m_hand.holds_back() && !m_hand.is_empty() && !m_region && draw_within_reach(targets);
-    m_reachable =
-        (pairs.empty() || m_stops_short) && (count == 0 || (targets - rest).cwiseAbs().maxCoeff() <= farthest);
+    m_reachable = (pairs.empty() || m_stops_short) && !is_far;
     if (!m_reachable) targets = near_targets(handle_graph(), m_net->mean_length(), targets, rest);
     // What is held back may be pulled anywhere.
     const auto both_held = [this](const UnreachablePair& pair) {

@@ -9,6 +9,8 @@ namespace {
 
 // Paths whose lengths differ by less than this part are equally long. A tie that is missed only adds a pair.
 constexpr double k_rounding = 1e-12;
+// No edge of an exact net is longer than its rest length by more than this part.
+constexpr double k_inexact = 1e-3;
 
 struct QueueEntry {
     double distance;
@@ -182,12 +184,13 @@ HandleGraph::HandleGraph(const Net& net, const Topology& topology, std::span<con
                   [](const Neighbour& a, const Neighbour& b) { return a.handle < b.handle; });
 }
 
-std::vector<OnPath> inside_of_shortest_path(const Net& net, const Topology& topology, int from, int to,
-                                            int& steps_left) {
+std::optional<std::vector<OnPath>> inside_of_shortest_path(const Net& net, const Topology& topology, int from, int to,
+                                                           double length, const Positions& positions, int& steps_left) {
     const std::span<const int> joined = topology.neighbours(from);
-    if (std::binary_search(joined.begin(), joined.end(), to)) return {};
+    if (std::binary_search(joined.begin(), joined.end(), to)) return std::vector<OnPath>();
     constexpr int k_vertices_a_step = 16;  // to forget what was
     steps_left -= net.vertex_count() / k_vertices_a_step;
+    if (steps_left <= 0) return std::nullopt;
     std::vector<OnPath> before(static_cast<std::size_t>(net.vertex_count()), {-1, -1});  // each vertex
     PriorityQueue queue;
     before[from].distance = 0;
@@ -198,14 +201,17 @@ std::vector<OnPath> inside_of_shortest_path(const Net& net, const Topology& topo
         if (distance > before[v].distance) continue;
         const std::span<const int> neighbours = topology.neighbours(v), edges = topology.incident_edges(v);
         for (std::size_t k = 0; k < neighbours.size(); ++k) {
-            if (steps_left-- <= 0) return {};
+            if (steps_left-- <= 0) return std::nullopt;
             const double next = distance + net.rest_lengths()[edges[k]];
+            const double left = (positions.col(neighbours[k]) - positions.col(to)).norm();
+            if (next + left > (1 + k_inexact) * length) continue;
             OnPath& known = before[neighbours[k]];
             if (known.distance >= 0 && known.distance <= next) continue;
             known = {v, next};
             queue.push({next, neighbours[k]});
         }
     }
+    if (before[to].vertex < 0) return std::nullopt;
     std::vector<OnPath> path;
     for (int v = before[to].vertex; v >= 0 && v != from; v = before[v].vertex) path.push_back({v, before[v].distance});
     return path;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -52,9 +53,11 @@ struct OnPath {
     int vertex;
     double distance;
 };
-/// The vertices between two on a shortest path, from the second to the first; none if they are neighbours, or if it is
-/// not found in so many steps, of which those that it took are taken off.
-std::vector<OnPath> inside_of_shortest_path(const Net& net, const Topology& topology, int from, int to,
-                                            int& steps_left);
+/// The vertices between two on a shortest path of this `length`, from the second to the first; none if they are
+/// neighbours. Only vertices are looked at by which a path may be as short as that, since it is no shorter than the
+/// straight ways between its vertices at `positions`, those of an exact net. Nothing if the path is not found there, or
+/// not in so many steps, of which those that it took are taken off.
+std::optional<std::vector<OnPath>> inside_of_shortest_path(const Net& net, const Topology& topology, int from, int to,
+                                                           double length, const Positions& positions, int& steps_left);
 
 }  // namespace chebnet

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "base/error.h"
@@ -47,14 +49,15 @@ LengthAdapter::LengthAdapter(const Editor& editor, const std::vector<Handle>& wa
 }
 
 void LengthAdapter::want(const std::vector<Handle>& wanted) {
+    std::map<int, Handle*> exact;
+    for (Handle& handle : m_wanted)
+        if (handle.is_exact()) exact.emplace(handle.vertex, &handle);
     for (const auto& [vertex, target, weight, slides] : wanted) {
-        const auto own =
-            std::find_if(m_wanted.begin(), m_wanted.end(), [v = vertex](const Handle& h) { return h.vertex == v; });
+        const auto own = exact.find(vertex);
         const std::string name = "handle " + std::to_string(vertex);
-        if (own == m_wanted.end() || !own->is_exact())
-            throw Error(ErrorCode::index_out_of_range, "there is no exact " + name);
+        if (own == exact.end()) throw Error(ErrorCode::index_out_of_range, "there is no exact " + name);
         if (!target.allFinite()) throw Error(ErrorCode::non_finite, "the target of " + name + " is not finite");
-        own->target = target;
+        own->second->target = target;
     }
 }
 

@@ -11,7 +11,7 @@
 
 namespace chebnet {
 
-/// The part of a net that may move with some vertices, by the distance d along the net (Topology::distances_from) from
+/// The part of a net that may move with some vertices, by the distance d along the net (Topology::nearest_sources) from
 /// the nearest of them and the radius R: vertices with d ≥ R are fixed; the outer half of the others is held where it
 /// stands, with weights that rise smoothly from 0 at d = R/2.
 struct Region {

@@ -50,7 +50,9 @@ std::vector<TautVertex> TautLines::find(const Net& net, const Topology& topology
             for (const auto& [b, length] : between.neighbours(a)) {
                 if (b < a || vertices[a] < 0 || vertices[b] < 0) continue;
                 if (!((ends.col(a) - ends.col(b)).norm() >= (1 - k_slack) * length)) continue;
-                const std::vector<TautVertex>& inside = line(net, topology, round, a, b, length).inside;
+                const Line* found_line = line(net, topology, round, a, b, length, last_net);
+                if (found_line == nullptr) continue;
+                const std::vector<TautVertex>& inside = found_line->inside;
                 if (!std::all_of(inside.begin(), inside.end(), is_clear)) continue;
                 found.insert(found.end(), inside.begin(), inside.end());
                 for (const TautVertex& taut : inside) avoided[taut.vertex] = true;
@@ -64,17 +66,18 @@ std::vector<TautVertex> TautLines::find(const Net& net, const Topology& topology
     return found;
 }
 
-const TautLines::Line& TautLines::line(const Net& net, const Topology& topology, Round& round, int a, int b,
-                                       double length) {
+const TautLines::Line* TautLines::line(const Net& net, const Topology& topology, Round& round, int a, int b,
+                                       double length, const Positions& last_net) {
     const auto place = std::lower_bound(
         round.lines.begin(), round.lines.end(), std::pair(a, b),
         [](const Line& line, const std::pair<int, int>& ends) { return std::pair(line.end_a, line.end_b) < ends; });
-    if (place != round.lines.end() && place->end_a == a && place->end_b == b) return *place;
+    if (place != round.lines.end() && place->end_a == a && place->end_b == b) return &*place;
+    const auto path =
+        inside_of_shortest_path(net, topology, round.ends[a], round.ends[b], length, last_net, m_steps_left);
+    if (!path) return nullptr;
     Line line{a, b, {}};
-    for (const auto& [vertex, distance] :
-         inside_of_shortest_path(net, topology, round.ends[a], round.ends[b], m_steps_left))
-        line.inside.push_back({vertex, a, b, distance / length});
-    return *round.lines.insert(place, std::move(line));
+    for (const auto& [vertex, distance] : *path) line.inside.push_back({vertex, a, b, distance / length});
+    return &*round.lines.insert(place, std::move(line));
 }
 
 }  // namespace chebnet

@@ -37,7 +37,7 @@ public:
     /// Ends whose distance lacks no more than this part of the path's length pull it straight: it could sag by some
     /// two thousandths of an edge over thirteen, and its edges lack a squared part of 1e-14.
     static constexpr double k_slack = 1e-7;
-    /// The searches for paths pass about as many edges at most, all together; lines beyond that are not looked for.
+    /// The searches for paths pass about as many edges at most in a call; lines beyond that are left for the next.
     static constexpr int k_most_steps = 2'000'000;
 
     /// Of other handles, or another net.
@@ -61,7 +61,9 @@ private:
         HandleGraph graph;        // of them; empty for the handles
         std::vector<Line> lines;  // by their ends
     };
-    const Line& line(const Net& net, const Topology& topology, Round& round, int a, int b, double length);
+    /// Null if it is not found, yet or at all.
+    const Line* line(const Net& net, const Topology& topology, Round& round, int a, int b, double length,
+                     const Positions& last_net);
 
     std::vector<Round> m_rounds;
     int m_steps_left = 0;

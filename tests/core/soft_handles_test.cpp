@@ -117,6 +117,23 @@ TEST_CASE("A soft handle with hardly any weight does not move the net") {
     CHECK((editor.positions() - editor.net().rest_positions()).colwise().norm().maxCoeff() < 1e-6);
 }
 
+TEST_CASE("A soft handle farther away than numbers reach draws as one nearer by, and leaves the net one") {
+    for (const char* method : {"projection", "equilibrium"})
+        for (const double away : {1e8, 1e10, 1e200}) {
+            CAPTURE(method, away);
+            Editor editor(samples::patch(10, 10, 0));
+            editor.set_method(method);
+            std::vector<Handle> handles = samples::handles_at_rest(editor.net(), {0, 99});
+            handles.back().target *= away;
+            handles.back().weight = 1;
+            editor.set_handles(handles);
+            const SolveReport report = editor.solve();
+            CHECK(keeps_lengths(report.status));
+            CHECK(report.max_deviation < editor.options().threshold);
+            CHECK(editor.positions().col(99).norm() > 17);  // of 18, stretched towards it
+        }
+}
+
 TEST_CASE("Two soft handles that pull too far apart end balanced on a taut net") {
     const double weight = GENERATE(1.0, 100.0, 1e6);
     CAPTURE(weight);

@@ -60,6 +60,16 @@ TEST_CASE("Corners as far apart as the sheet is long hold the borders between th
     CHECK(max_deviation(editor.net(), editor.positions()) < 1e-12);
 }
 
+TEST_CASE("All of a large sheet is held by its corners, too") {
+    const Net net = samples::patch(110, 110, 0);
+    Editor editor(net);
+    editor.set_handles(samples::handles_at_rest(net, {0, 109, 110 * 109, 110 * 110 - 1}));
+    editor.set_option("gravity", "0.01");
+    CHECK(editor.solve().status == Status::converged);
+    CHECK(static_cast<int>(editor.taut_vertices().size()) == net.vertex_count() - 4);
+    CHECK(editor.positions() == net.rest_positions());
+}
+
 TEST_CASE("A sheet whose corner is drawn in has one shape, whatever the hand did") {
     const Editor slow = dragged_sheet(k_inwards_and_up, 30), quick = dragged_sheet(k_inwards_and_up, 1);
     CHECK((slow.positions() - quick.positions()).colwise().norm().maxCoeff() < 1e-3);
