@@ -73,6 +73,9 @@ int run_change(const ChangeArguments& arguments) {
         tell_sharp_quads(sharp_quads(after, exact.positions(), options.shear_limit - k_limit_tolerance),
                          options.shear_limit);
     const LengthRange lengths = edge_length_range(after, exact.positions());
+    const double wanted = options.length ? changed.length_factor * *options.length : 0;
+    const double max_dL =
+        options.length ? std::max(deviation(lengths.shortest / wanted), deviation(lengths.longest / wanted)) : 0;
     print({{"net", arguments.net.name},
            {"change", arguments.name},
            {"status", to_string(status)},
@@ -83,7 +86,7 @@ int run_change(const ChangeArguments& arguments) {
            {"shortest_length", lengths.shortest},
            {"longest_length", lengths.longest},
            {"chebyshev", after.is_chebyshev()},
-           {"max_dL", max_deviation(after, exact.positions())},
+           {"max_dL", max_dL},
            {"smallest_corner_angle_degrees", corner_angle_range(after, exact.positions()).smallest / k_degree}});
     return keeps_lengths(status) ? k_success : k_not_converged;
 }

@@ -142,7 +142,7 @@ int run_drag(const DragArguments& arguments) {
     // A frame on the way need not have come to rest.
     const auto is_net = [&](const SolveReport& frame) { return frame.max_deviation < editor.options().threshold; };
     const bool stays_net = arguments.solver.adapts_lengths || std::ranges::all_of(dragged.frames, is_net);
-    return stays_net && keeps_lengths(end.status) && !dragged.is_held_back ? k_success : k_not_converged;
+    return stays_net && has_lengths(editor, end) && !dragged.is_held_back ? k_success : k_not_converged;
 }
 
 }  // namespace

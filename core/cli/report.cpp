@@ -94,6 +94,11 @@ Json forces_report(const Editor& editor) {
             {"edge_that_pushes_most", edge_report(editor.net(), forces->edges, pushes_most)}};
 }
 
+bool has_lengths(const Editor& editor, const SolveReport& end) {
+    return end.status != Status::unreachable && end.max_deviation < editor.options().threshold &&
+           editor.handle_error() == 0;
+}
+
 void tell_sharp_quads(int count, double limit) {
     std::cerr << "chebnet: every edge has its length, but " << count << (count == 1 ? " quad has" : " quads have")
               << " a corner sharper than " << number_text(degrees(limit), 4) << " degrees\n";

@@ -27,6 +27,10 @@ Json to_rest_report(const std::optional<ToRest>& left);
 /// and push most. Empty where the method does not tell.
 Json forces_report(const Editor& editor);
 
+/// Whether every edge has its length and every exact handle its place after a solve that ended so, also short of rest,
+/// or with corners sharper than the limit.
+bool has_lengths(const Editor& editor, const SolveReport& end);
+
 /// Tells on standard error that every edge has its length, but so many quads have corners sharper than this limit,
 /// radians.
 void tell_sharp_quads(int count, double limit);

@@ -11,13 +11,15 @@ namespace chebnet {
 
 /// How a solve stands.
 enum class Status {
-    running,         ///< not done yet: the budget ran out first
-    converged,       ///< max dL is below the threshold, and the method's energy, if it has one, at its least
-    exact,           ///< max dL is below the threshold, but no way was found on to the least of the energy
-    stalled,         ///< a minimum or a dead end was reached with max dL above the threshold
+    running,    ///< not done yet: the budget ran out first
+    converged,  ///< max dL is below the threshold, and the method's energy, if it has one, at its least
+    exact,      ///< max dL is below the threshold, but no way was found on to the least of the energy
+    stalled,    ///< a minimum or a dead end was reached with max dL above the threshold, or corners sharper than the
+                ///< limit
     max_iterations,  ///< the limit of iterations was reached first
-    unreachable,     ///< two handles stand farther apart than the net between them is long; the best shape is held
-    non_finite,      ///< a number overflowed; the positions are the last finite ones
+    unreachable,  ///< two handles stand farther apart than the net between them is long, or no way was found to where
+                  ///< they are; the best shape is held
+    non_finite,   ///< a number overflowed; the positions are the last finite ones
 };
 const char* to_string(Status status);
 /// Whether a solve that ended so left every edge with its length.
