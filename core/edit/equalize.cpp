@@ -81,20 +81,6 @@ LengthSpread spread(const Eigen::VectorXd& lengths) {
     return {relative.minCoeff(), relative.maxCoeff(), std::sqrt((relative - 1).square().mean())};
 }
 
-/// 3×V, unit vectors; zero where the faces at a vertex have no area.
-Positions vertex_normals(const Net& net, const Positions& x) {
-    Positions normals = Positions::Zero(3, x.cols());
-    for (int f = 0; f < net.face_count(); ++f) {
-        const std::span<const int> face = net.faces()[f];
-        Eigen::Vector3d area = Eigen::Vector3d::Zero();
-        for (std::size_t k = 1; k + 1 < face.size(); ++k)
-            area += (x.col(face[k]) - x.col(face[0])).cross(x.col(face[k + 1]) - x.col(face[0]));
-        for (int v : face) normals.col(v) += area;
-    }
-    for (int v = 0; v < normals.cols(); ++v) normals.col(v).stableNormalize();
-    return normals;
-}
-
 /// The rest positions of a net with edges of mean length 1, each vertex moved along its normal by chance.
 Positions shaken(const Net& net) {
     std::mt19937 random;  // its numbers, unlike those of distributions, are the same everywhere

@@ -170,6 +170,19 @@ std::vector<double> fold_angles(const Net& net, const Positions& positions) {
     return folds;
 }
 
+Positions vertex_normals(const Net& net, const Positions& x) {
+    Positions normals = Positions::Zero(3, x.cols());
+    for (int f = 0; f < net.face_count(); ++f) {
+        const std::span<const int> face = net.faces()[f];
+        Eigen::Vector3d area = Eigen::Vector3d::Zero();
+        for (std::size_t k = 1; k + 1 < face.size(); ++k)
+            area += (x.col(face[k]) - x.col(face[0])).cross(Eigen::Vector3d(x.col(face[k + 1]) - x.col(face[0])));
+        for (int v : face) normals.col(v) += area;
+    }
+    for (int v = 0; v < normals.cols(); ++v) normals.col(v).stableNormalize();
+    return normals;
+}
+
 Eigen::VectorXd vertex_corner_angles(const Net& net, const Positions& positions) {
     const double right = std::numbers::pi / 2;
     Eigen::VectorXd farthest = Eigen::VectorXd::Constant(net.vertex_count(), right);

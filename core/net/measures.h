@@ -64,6 +64,9 @@ int sharp_folds(const Net& net, const Positions& positions, double angle);
 /// The angle by which the net folds at each edge between two faces, in a fixed order; 0 where it is flat.
 std::vector<double> fold_angles(const Net& net, const Positions& positions);
 
+/// 3×V, unit vectors by the areas of the faces at each vertex; zero where these have none.
+Positions vertex_normals(const Net& net, const Positions& positions);
+
 /// V, at each vertex the corner angle farthest from a right angle, radians in [0, π]: the shear a wire mesh shows
 /// there. Of quads only, if there are any: the other faces are where a border has cut them, or at patches.
 Eigen::VectorXd vertex_corner_angles(const Net& net, const Positions& positions);

@@ -93,6 +93,54 @@ double rms_distance(const Edit& edit, const Positions& a, const Positions& b) {
 
 }  // namespace
 
+TEST_CASE("A corner that is folded onto the one across opens") {
+    const Net flat = samples::patch(11, 11, 0);
+    Positions folded = flat.rest_positions();
+    folded.col(0) = folded.col(12);
+    Editor editor(Net(folded, flat.faces()));
+    editor.set_handles(samples::handles_at_rest(editor.net(), {10, 110, 120}));
+    const SolveReport report = editor.solve();
+    CHECK(report.status == Status::converged);
+    CHECK(report.max_deviation < 1e-9);
+    CHECK(is_within_limit(editor));
+}
+
+TEST_CASE("A quad whose edges keep a corner sharper than the limit does not keep the net from its rest") {
+    const Net flat = samples::patch(8, 8, 0);
+    Positions x = flat.rest_positions();
+    x.col(0) << 0.85, 0.12,
+        0;  // vertex 1 is at (1, 0), vertex 8 at (0, 1): a kite of two short edges and two long ones
+    x.col(9) << 1.05, 0.17, 0;
+    const Net kite(x, flat.faces());
+    Editor editor(kite);
+    editor.set_handles(samples::handles_at_rest(kite, {7, 56, 63}));
+    editor.move_handle(63, {6.5, 6.5, 1});
+    const SolveReport report = editor.solve();
+    CHECK(report.status == Status::converged);
+    CHECK(report.max_deviation < 1e-9);
+}
+
+TEST_CASE("The shape of rest is that of the threshold of now, whatever it was before") {
+    const unsigned seed = 7;
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const Net even = samples::patch(9, 8);
+    const Net net(samples::shaken(even.rest_positions(), 0.05, random), even.faces(), RestLengths::equal);
+    const auto at_home = [&](const std::vector<const char*>& thresholds) {
+        Editor editor(net);
+        editor.set_handles(samples::handles_at_rest(net, {0, 71}));
+        for (const char* threshold : thresholds) {
+            editor.set_option("threshold", threshold);
+            editor.move_handle(71, net.rest_positions().col(71) + Eigen::Vector3d(-1, 0, 1));
+            editor.solve();
+        }
+        editor.move_handle(71, net.rest_positions().col(71));
+        CHECK(editor.solve().status == Status::converged);
+        return editor.positions();
+    };
+    CHECK(samples::largest_move(at_home({"0.05", "1e-6"}), at_home({"1e-6"})) < 1e-3);
+}
+
 TEST_CASE("Equilibrium: lengths, limit, and first-order conditions, reckoned again") {
     for (const Edit& edit : {corner_pull(1), moved_crown(), lifted_sheet(9, 2), pulled_diagonal()}) {
         INFO(edit.name);
@@ -471,6 +519,26 @@ TEST_CASE("Equilibrium: a net that nothing holds does not fall, and hangs as soo
     const double before = editor.positions()(2, 40);
     CHECK(keeps_lengths(editor.solve().status));
     CHECK(std::abs(editor.positions()(2, 40) - before) < 5);
+}
+
+TEST_CASE("Equilibrium: weight acts along y where y is up, and a net lying on its side hangs as it does upright") {
+    const Net upright = samples::patch(9, 9, 0);
+    Eigen::Matrix3d turn;  // z becomes y
+    turn << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+    const Net turned(turn * upright.rest_positions(), upright.faces());
+    const auto hung = [](const Net& net, const char* y_up) {
+        Editor editor(net);
+        editor.set_option("gravity", "0.01");
+        editor.set_option("y_up", y_up);
+        std::vector<Handle> handles = samples::handles_at_rest(net, {0, 8, 72, 80});
+        for (Handle& handle : handles) handle.target -= 0.1 * (handle.target - net.rest_positions().col(40));
+        editor.set_handles(handles);
+        CHECK(editor.solve().status == Status::converged);
+        return editor.positions();
+    };
+    const Positions hanging = hung(turned, "on");
+    CHECK(hanging(1, 40) < -1);
+    CHECK(samples::largest_move(hanging, turn * hung(upright, "off")) < 1e-3);
 }
 
 TEST_CASE("Equilibrium: of two pieces the one that is held hangs, and the other does not fall") {

@@ -12,7 +12,8 @@
 
 namespace chebnet::invariants {
 
-/// By how much a diagonal is shorter at most than the limit of its corners allows with rest lengths, in edge lengths.
+/// By how much a diagonal is shorter at most than the limit of its corners allows with rest lengths, in edge lengths;
+/// and what the other two edges reach, but for a tenth.
 inline double reckoned_lack(const Net& net, const Positions& x, double limit) {
     const Topology topology(net);
     double largest = 0;
@@ -23,7 +24,8 @@ inline double reckoned_lack(const Net& net, const Positions& x, double limit) {
         for (int k = 0; k < 4; ++k) sum += side[k] = net.rest_lengths()[topology.edge_between(q[k], q[(k + 1) % 4])];
         for (int k = 0; k < 4; ++k) {
             const double a = side[k], b = side[(k + 1) % 4];
-            const double least = std::hypot(a - b, 2 * std::sqrt(a * b) * std::sin(limit / 2));
+            const double reach = std::min(a + b, side[(k + 2) % 4] + side[(k + 3) % 4]);
+            const double least = std::min(std::hypot(a - b, 2 * std::sqrt(a * b) * std::sin(limit / 2)), 0.9 * reach);
             largest = std::max(largest, (least - (x.col(q[k]) - x.col(q[(k + 2) % 4])).stableNorm()) / (sum / 4));
         }
     }
@@ -83,7 +85,8 @@ private:
         const auto mode = static_cast<GuideMode>(editor.options().guide_mode);
         if (editor.guide() && (mode == GuideMode::near || mode == GuideMode::on)) return {};
         std::vector<bool> carries(static_cast<std::size_t>(editor.net().vertex_count()), false);
-        for (const Handle& handle : editor.handles()) carries[handle.vertex] = !has_axis(handle.slides, 2);
+        for (const Handle& handle : editor.handles())
+            carries[handle.vertex] = !has_axis(handle.slides, editor.options().y_up ? 1 : 2);
         if (const Region* held = region(editor)) {
             for (int v : held->outside) carries[v] = true;
             for (const Pull& pull : held->pulls) carries[pull.vertex] = true;

@@ -93,7 +93,7 @@ private:
 
     Options m_options;
     bool m_reachable = true, m_only_nets = false, m_only_walks = false;
-    const Positions* m_last_net = nullptr;  // of the problem
+    Positions m_last_net;  // of the problem, which need not last as long as a solve; empty: not known
     Stage m_stage = net;
     Positions m_result;           // where the method last left the net; empty: nowhere
     bool m_began_as_net = false;  // this solve, or the walk home, which walk to another one all the same
@@ -154,16 +154,19 @@ bool Equilibrium::take_guide(const Problem& problem, const Options& options) {
 Status Equilibrium::start(const Problem& problem, Positions& positions, const Options& options) {
     take_pulls(problem.pulls);
     const bool same_guide = take_guide(problem, options);
-    const bool same_energy = same_guide && !m_pulls_changed && m_descent.has_energy_of(options);
+    // Whether it has to be opened, and how exactly that is done, depends on both.
+    const bool same_rest_shape =
+        m_options.shear_limit == options.shear_limit && m_options.threshold == options.threshold;
+    const bool same_energy = same_guide && same_rest_shape && !m_pulls_changed && m_descent.has_energy_of(options);
     if (!same_energy)
         m_descent.forget_energy();  // also where handles out of reach keep this solve from choosing another
-    if (m_options.shear_limit != options.shear_limit) forget_rest_shape();
+    if (!same_rest_shape) forget_rest_shape();
     m_options = options;
     m_descent.set_options(options);
     m_reachable = problem.reachable;
     m_only_nets = problem.only_nets;
     m_only_walks = problem.only_walks;
-    m_last_net = problem.last_net;
+    m_last_net = problem.last_net != nullptr ? *problem.last_net : Positions();
     m_max_deviation = max_deviation(*m_net, positions);
     const bool is_where_left = m_result.cols() > 0 && m_result == positions;
     if (m_reachable && same_energy && !m_pulls_moved && is_where_left && m_max_deviation < options.threshold &&
@@ -275,10 +278,9 @@ std::vector<bool> Equilibrium::weightless() const {
     const bool is_drawn = m_guide && m_options.guide_mode != static_cast<int>(GuideMode::off) &&
                           m_options.guide_mode != static_cast<int>(GuideMode::outside);
     if (m_options.gravity == 0 || is_drawn) return {};
-    constexpr int z = 2;
     std::vector<bool> carries(m_is_free.size());
     for (std::size_t v = 0; v < carries.size(); ++v) carries[v] = !m_is_free[v];
-    for (const Slide& slide : m_slides) carries[slide.vertex] = !has_axis(slide.along, z);
+    for (const Slide& slide : m_slides) carries[slide.vertex] = !has_axis(slide.along, up_axis(m_options));
     for (const Pull& pull : m_pulls) carries[pull.vertex] = true;
     return m_topology->in_pieces_without(carries);
 }
@@ -308,9 +310,9 @@ Equilibrium::Stage Equilibrium::first_stage(const Positions& positions) {
         m_result = m_rest_shape;
         return follow;
     }
-    if (m_last_net != nullptr && *m_last_net != positions && was_left(*m_last_net, positions) &&
-        max_deviation(*m_net, *m_last_net) < m_options.threshold) {
-        m_result = *m_last_net;
+    if (m_last_net.cols() > 0 && m_last_net != positions && was_left(m_last_net, positions) &&
+        max_deviation(*m_net, m_last_net) < m_options.threshold) {
+        m_result = m_last_net;
         return follow;
     }
     return is_net ? rest : net;
@@ -499,7 +501,7 @@ constexpr std::array k_equilibrium_stages{"Finding a net", "To the handles", "To
 constexpr auto k_equilibrium_options =
     joined(k_tolerances, std::array{"shear_limit", "bending_weight", "shear_weight", "tip_weight", "straight_rods",
                                     "rod_curvature", "warp_stiffness", "weft_stiffness", "square_corners", "gravity",
-                                    "guide_mode", "guide_weight", "rest_tolerance"});
+                                    "y_up", "guide_mode", "guide_weight", "rest_tolerance"});
 
 }  // namespace
 

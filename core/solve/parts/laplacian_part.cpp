@@ -54,18 +54,14 @@ void LaplacianPart::factorize() {
         m_system.add_at_node(node, LaplacianSystem::Block(pull.weight));
         m_piece_weight[m_part.piece_of(node)] += pull.weight;
     }
+    std::vector<bool> is_light(m_piece_weight.size(), false);  // by the node that stands for the piece
     for (int root : m_part.floating_nodes()) {
-        if (m_piece_weight[root] == 0)
-            m_system.add_at_node(root, one);
-        else if (m_piece_weight[root] < k_least_piece_weight)
-            steady_piece(root);
+        if (m_piece_weight[root] == 0) m_system.add_at_node(root, one);
+        is_light[root] = m_piece_weight[root] > 0 && m_piece_weight[root] < k_least_piece_weight;
     }
-    m_system.factorize();  // cannot fail: every piece of the graph is held somewhere
-}
-
-void LaplacianPart::steady_piece(int root) {
     for (int node = 0; node < m_part.size(); ++node)
-        if (m_part.piece_of(node) == root) m_system.add_at_node(node, LaplacianSystem::Block(k_least_piece_weight));
+        if (is_light[m_part.piece_of(node)]) m_system.add_at_node(node, LaplacianSystem::Block(k_least_piece_weight));
+    m_system.factorize();  // cannot fail: every piece of the graph is held somewhere
 }
 
 double LaplacianPart::fit(const Eigen::Matrix3Xd& vectors, Positions& positions) {

@@ -44,7 +44,6 @@ public:
 
 private:
     void factorize();
-    void steady_piece(int root);
 
     const Net& m_net;
     FreePart m_part;

@@ -15,6 +15,9 @@ namespace {
 constexpr double k_shift = 1e-9;
 // The same for its factor in single precision.
 constexpr double k_factor_shift = 1e-6;
+// Two vertices in one place, as of a quad that is folded onto itself, go apart along this: any direction but that of an
+// axis, across which such a quad may lie.
+const Eigen::Vector3d k_any_direction = Eigen::Vector3d(1, 2, 3).normalized();
 
 void check_size(const Net& net, const Topology& topology) {
     double couplings = 0;
@@ -81,7 +84,7 @@ void LengthSystem::assemble(const Positions& positions) {
         const auto& [a, b, distance, unit] = m_rows[row];
         const Eigen::Vector3d d = positions.col(a) - positions.col(b);
         const double length = std::sqrt(ordered_dot(d, d)), weight = m_weight[a] + m_weight[b];
-        m_jacobian.col(row) = d / (length * unit);
+        m_jacobian.col(row) = length > 0 ? Eigen::Vector3d(d / (length * unit)) : k_any_direction / unit;
         if (!m_is_on[row]) m_jacobian.col(row).setZero();
         // What cannot change is a row of its own, with nothing to ask for.
         const bool asks = weight > 0 && m_is_on[row];

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "net/measures.h"
 #include "solve/terms/bending_term.h"
 
 namespace chebnet {
@@ -8,20 +9,6 @@ namespace chebnet {
 namespace {
 
 constexpr double k_sharpest = 0.7;  // sine of half the largest turn
-
-/// 3×V, of length 1, or 0 where the faces at a vertex have no area.
-Eigen::Matrix3Xd vertex_normals(const Net& net, const Positions& x) {
-    Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, x.cols());
-    for (int f = 0; f < net.face_count(); ++f) {
-        const std::span<const int> face = net.faces()[f];
-        Eigen::Vector3d area = Eigen::Vector3d::Zero();
-        for (std::size_t k = 1; k + 1 < face.size(); ++k)
-            area += (x.col(face[k]) - x.col(face[0])).cross(Eigen::Vector3d(x.col(face[k + 1]) - x.col(face[0])));
-        for (const int v : face) normals.col(v) += area;
-    }
-    normals.colwise().normalize();
-    return normals;
-}
 
 }  // namespace
 

@@ -7,6 +7,13 @@
 
 namespace chebnet {
 
+namespace {
+
+// No diagonal is to be longer than this part of what the edges on either side reach when they lie in one line.
+constexpr double k_attainable = 0.9;
+
+}  // namespace
+
 DistanceConstraint::DistanceConstraint(const char* name, Kind kind, std::vector<Distance> distances)
     : m_name(name), m_kind(kind), m_distances(std::move(distances)), m_directions(3, count()), m_lengths(count()) {}
 
@@ -58,7 +65,7 @@ DistanceConstraint edge_lengths(const Net& net) {
         const double L = net.rest_lengths()[e];
         distances.push_back({net.edges()(0, e), net.edges()(1, e), L, L});
     }
-    return DistanceConstraint("lengths", Constraint::Kind::equal, std::move(distances));
+    return DistanceConstraint("lengths", DistanceConstraint::Kind::equal, std::move(distances));
 }
 
 DistanceConstraint shear_limit(const Net& net, double angle) {
@@ -74,12 +81,13 @@ DistanceConstraint shear_limit(const Net& net, double angle) {
         double sides[4];
         for (int k = 0; k < 4; ++k) sides[k] = between(q[k], q[(k + 1) % 4]);
         const double unit = (sides[0] + sides[1] + sides[2] + sides[3]) / 4;
-        for (int k = 0; k < 2; ++k)
-            diagonals.push_back({q[k], q[k + 2],
-                                 std::max(opposite(sides[k], sides[k + 1]), opposite(sides[k + 2], sides[(k + 3) % 4])),
-                                 unit});
+        for (int k = 0; k < 2; ++k) {
+            const double a = sides[k], b = sides[k + 1], c = sides[k + 2], d = sides[(k + 3) % 4];
+            const double wanted = std::max(opposite(a, b), opposite(c, d));
+            diagonals.push_back({q[k], q[k + 2], std::min(wanted, k_attainable * std::min(a + b, c + d)), unit});
+        }
     }
-    return DistanceConstraint("shear limit", Constraint::Kind::at_least, std::move(diagonals));
+    return DistanceConstraint("shear limit", DistanceConstraint::Kind::at_least, std::move(diagonals));
 }
 
 }  // namespace chebnet

@@ -32,7 +32,7 @@ void PenaltyTerm::add_blocks(BlockForm& form) const {
         const Eigen::Vector3d u = m_constraint.directions().col(i);
         const Eigen::Matrix3d along = u * u.transpose();
         // c / ‖x_a − x_b‖, of ∇²c
-        const double length = pair.distance + m_errors[i] * pair.unit, pull = std::max(0.0, m_errors[i]) / length;
+        const double pull = m_errors[i] > 0 ? m_errors[i] / (pair.distance + m_errors[i] * pair.unit) : 0;
         form.add_link(pair.vertex_a, pair.vertex_b,
                       2 * m_weight / pair.unit * (along / pair.unit + pull * (Eigen::Matrix3d::Identity() - along)));
     }

@@ -21,7 +21,9 @@ public:
     void add_bound(QuadraticForm& form) const override;
 
 private:
-    bool counts(Eigen::Index i) const { return m_constraint.kind() == Constraint::Kind::equal || m_errors[i] < 0; }
+    bool counts(Eigen::Index i) const {
+        return m_constraint.kind() == DistanceConstraint::Kind::equal || m_errors[i] < 0;
+    }
 
     DistanceConstraint m_constraint;
     double m_weight;
