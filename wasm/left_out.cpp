@@ -70,6 +70,7 @@ Status Editor::status_by_hand() const { return Status::running; }
 void Editor::give_up_by_hand() {}
 double Editor::deviation_with_hand_at_targets() const { return 0; }
 Eigen::Vector3d Editor::goal(const Handle& handle) const { return handle.target; }
+void Editor::show_found_net() {}
 void Editor::take_better_net(SolveReport&) {}
 /// Handles that move one by one.
 std::shared_ptr<const TurnedHandles> TurnedHandles::find(const Topology& topology, const HeldVertices& held,

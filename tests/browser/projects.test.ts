@@ -339,6 +339,18 @@ test('where the browser stores nothing, a net too large for a link is not given 
   });
   await page.getByText('does not let the page keep your net').waitFor();
   await page.getByRole('button', { name: 'Dismiss' }).click();
+  // Nor for a project, but where it is asked for once more.
+  const dataTransfer = await page.evaluateHandle(() => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File(['{}'], 'other.chebnet.json'));
+    return transfer;
+  });
+  const drop = () => page.dispatchEvent('canvas', 'drop', { dataTransfer });
+  await drop();
+  await page.getByText('would replace it for good').waitFor();
+  await drop();
+  await page.getByText('other.chebnet.json').waitFor();
+  await page.getByRole('button', { name: 'Dismiss' }).first().click();
   await page.getByRole('button', { name: '中文' }).click();
   await page.getByText('does not let the page keep your net').waitFor();
   expect(await page.locator('html').getAttribute('lang')).toBe('en-US');

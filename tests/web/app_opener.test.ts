@@ -88,6 +88,19 @@ test('a net to which the history goes back is seen as it was left', async () => 
   expect(await goTo(2)).toEqual(['tube', null, undefined]);
 });
 
+test('what is chosen of the view while a net opens holds for it; the rest is as its scene has it', async () => {
+  await open('dome');
+  const { view } = state.opening!.document;
+  const camera: CameraPlace = { position: [0, -5, 2], target: [0, 0, 0], aspect: 1.5 };
+  const scene = sceneOf('vault');
+  const opening = opener.openScene({ ...scene, view: { ...scene.view, showFaces: !view.showFaces, rods: 2 } });
+  state.change({ view: { ...view, field: 'angle', rods: 3, camera, behind: true } });
+  asked.at(-1)!.answer();
+  await opening;
+  const expected = { ...scene.view, showFaces: !view.showFaces, field: 'angle', rods: 3 };
+  expect(state.opening!.document.view).toEqual(expected);
+});
+
 /** Another net, or the history, in which it is opened again. */
 async function arriveBy(going: Promise<void>): Promise<'y' | 'z'> {
   asked.at(-1)!.answer();

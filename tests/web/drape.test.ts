@@ -482,6 +482,28 @@ describe('while a net is being laid', () => {
     draping.close();
   });
 
+  test('to stop leaves the net of before, which is measured if it was not yet, by the next worker', () => {
+    const { worker, told, draping, lengths } = start();
+    const mesh = { positions: new Float64Array(), faceStart: Int32Array.of(0), faceVertices: new Int32Array() };
+    const remeshed = { type: 'remeshed' } as DrapeResponse;
+    draping.open({ own: 'pebble' });
+    worker.answer(opened);
+    draping.remesh({ cells: 100 });
+    worker.answer(remeshed);
+    draping.remesh({ cells: 200 });
+    draping.stop(mesh);
+    worker.answer(opened);
+    expect(lengths().slice(3)).toEqual(['open', 'measure']);
+    expect(worker.asked.at(-1)).toEqual({ type: 'measure', mesh });
+    worker.answer(measured);
+    expect(told).toEqual(['opened', 'remeshed', 'measured']);
+    draping.remesh({ cells: 200 });
+    draping.stop(mesh);
+    worker.answer(opened);
+    expect(lengths().slice(5)).toEqual(['remesh', 'open']);
+    draping.close();
+  });
+
   test('a net that stands still is measured', async () => {
     const { worker, told, draping, lengths } = start();
     draping.drape(SETTINGS);

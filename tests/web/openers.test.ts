@@ -9,6 +9,13 @@ import { openPage } from './page_without_pictures';
 // They ask the browser as soon as they are loaded.
 vi.mock('../../web/src/view/scene', () => ({}));
 vi.mock('../../web/src/view/theme', () => ({}));
+/** Of each change that is under way, what ends it. */
+const ends: (() => void)[] = [];
+vi.mock('../../web/src/dialogs/change_dialog', () => ({
+  ChangeDialog: class {
+    until = () => new Promise((resolve) => ends.push(() => resolve({ origins: [] })));
+  },
+}));
 
 test('is not made while a third one is being opened, which would be replaced', async () => {
   const { app } = await openPage(await load());
@@ -18,4 +25,24 @@ test('is not made while a third one is being opened, which would be replaced', a
   for (const making of [openers.changeNet({ way: 'refine' }), openers.equalizeNet()])
     expect(await making.catch(codeOf)).toBe('cancelled');
   await opening;
+});
+
+test('by a change that ends late replaces no net that was opened meanwhile; there is one change at a time', async () => {
+  vi.stubGlobal(
+    'Worker',
+    class {
+      postMessage(): void {}
+    },
+  );
+  const { app } = await openPage(await load());
+  await app.openScene(freshScene({ recipe: 'dome:vertices=100' }));
+  const openers = new Openers(app, {} as HTMLElement);
+  const changes = [openers.changeNet({ way: 'refine' }), openers.changeNet({ way: 'refine' })];
+  expect(ends).toHaveLength(1);
+  await app.openScene(freshScene({ recipe: 'vault:vertices=100' }));
+  const { document } = app.opening!;
+  ends[0]!();
+  await Promise.all(changes);
+  expect(app.opening!.document.net).toBe(document.net);
+  vi.unstubAllGlobals();
 });

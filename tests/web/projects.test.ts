@@ -263,6 +263,7 @@ describe('a hostile project is refused, and it is said where', () => {
     ['[3,0,1,2,3]', '[3,2,1,2,3]', /^states\[0\]\.handles\[0\]\[1\] must be/],
     ['[3,0,1,2,3]', '[3,0,1,2,1e999]', /^states\[0\]\.handles\[0\]\[4\] must be/],
     ['[3,0,1,2,3]', '[3,0,1,2,3,{"weight":-1}]', /^states\[0\]\.handles\[0\]\[5\]\.weight must be/],
+    ['[3,0,1,2,3]', `${'[0,0],'.repeat(100_000)}[0,0]`, /^states\[0\]\.handles must be a list of at most 100000$/],
     ['"options":{}', '"options":{"threshold":null}', /^states\[0\]\.options\.threshold must be/],
     ['"options":{}', '"options":{"__proto__":"x"}', /^states\[0\]\.options\.__proto__ must be/],
     ['"settled":true', '"settled":"yes"', /^states\[0\]\.settled must be/],

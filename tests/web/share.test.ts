@@ -252,6 +252,11 @@ describe('hostile links are refused', () => {
     expect(scene).not.toHaveProperty('numbering');
   });
 
+  test('of more handles than anybody holds a net by', () => {
+    const handles = Array.from({ length: 100_001 }, () => [0, 0]);
+    bad(hashOfJson(JSON.stringify({ ...valid, handles })));
+  });
+
   test.each([undefined, -1, 0.5, 2 ** 32, '7', true, [7]])(
     'of the second version with the numbering %j',
     (numbering) => {

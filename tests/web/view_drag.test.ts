@@ -35,6 +35,17 @@ describe('a drag of two handles', () => {
     expect(said).toEqual(['start', 'move 7 to 3,0,0 and 8 to 3,0,0', 'end']);
     expect(report.isUnderWay).toBe(false);
   });
+  test('ends though its last move fails', () => {
+    const ended: boolean[] = [];
+    const dragMove = (): void => {
+      throw new Error('no');
+    };
+    const report = new DragReport({ dragStart: () => true, dragMove, dragEnd: (cancelled) => ended.push(cancelled) });
+    report.begin([7]);
+    report.move(both([1, 0, 0]));
+    expect(() => report.end(false)).toThrow('no');
+    expect([report.isUnderWay, ended]).toEqual([false, [false]]);
+  });
   test('cancelled, moves no more', () => {
     const { said, report } = record();
     report.begin([7, 8]);

@@ -26,6 +26,14 @@ export interface OpenerEvents {
   notice(isShown: boolean, canCancel: boolean): void;
 }
 
+/** A net that is there. */
+interface Arrival {
+  scene: Scene;
+  opened: Opened;
+  /** That of the net of before when this one was asked for; undefined: there was none. */
+  viewBefore: ViewState | undefined;
+}
+
 export class Opener {
   readonly #client: Pick<Client, 'open' | 'cancelOpening' | 'restore'>;
   readonly #state: State;
@@ -64,10 +72,10 @@ export class Opener {
     { name, key }: NamedChange = { name: ['open', netTitle(scene.net)], key: null },
   ): Promise<void> {
     const wasSettled = this.#state.isSettled; // once the answer is here, the solver is at work on the next net
-    const opened = await this.#request(scene);
+    const arrival = await this.#request(scene);
     this.#events.leaving();
     const before = this.#state.snapshot();
-    this.#take(scene, opened);
+    this.#take(arrival);
     if (before) this.#state.history.record({ ...before, settled: wasSettled }, name, key);
     else this.#state.history.begin([{ name, state: this.#state.snapshot()! }], 0);
     if (this.#state.handles.length === 0) this.#events.say(words.intro.noHandles);
@@ -153,28 +161,30 @@ export class Opener {
 
   /** @param leave is called when the present net is about to go. */
   async #reopen(scene: Scene, leave: () => void): Promise<void> {
-    const opened = await this.#request(scene);
+    const arrival = await this.#request(scene);
     this.#events.leaving();
     leave();
-    this.#take(scene, opened);
+    this.#take(arrival);
   }
 
-  #take(scene: Scene, opened: Opened): void {
+  #take({ scene, opened, viewBefore }: Arrival): void {
     const left = this.#state.opening?.document;
     if (left) {
       const { camera, behind, upAxis } = left.view;
       this.#seen.set(left.net, { camera, behind, ...turned(upAxis) });
     }
-    this.#state.open(scene, opened);
+    const view = left && viewBefore ? withChoices(scene.view, viewBefore, left.view) : scene.view;
+    this.#state.open({ ...scene, view }, opened);
     this.#events.opened();
   }
 
   /** Shows the notice if it takes long. */
-  async #request(scene: Scene): Promise<Opened> {
+  async #request(scene: Scene): Promise<Arrival> {
+    const viewBefore = this.#state.opening?.document.view;
     this.#underWay += 1;
     const notice = setTimeout(() => this.#events.notice(true, this.canCancel), NOTICE_MS);
     try {
-      return await this.#client.open(scene);
+      return { scene, opened: await this.#client.open(scene), viewBefore };
     } catch (error) {
       this.#waiting = []; // there is nothing to go back from
       throw error;
@@ -188,4 +198,13 @@ export class Opener {
       });
     }
   }
+}
+
+/** What the user has chosen since the net was asked for holds for it, but not how the one before lies and is seen. */
+function withChoices(view: ViewState, before: ViewState, now: ViewState): ViewState {
+  const { camera, behind, upAxis } = before;
+  const chosen = Object.entries({ ...now, camera, behind, upAxis }).filter(
+    ([name, value]) => value !== before[name as keyof ViewState],
+  );
+  return { ...view, ...Object.fromEntries(chosen) };
 }

@@ -11,6 +11,7 @@ import type {
   Proposal,
   RemeshedNet,
   Seed,
+  ShownNet,
   ShownSurface,
   SurfaceSource,
 } from '../drape/drape_protocol';
@@ -328,7 +329,7 @@ export class DrapeDialog implements DraperLike {
 
   /** A net that was made before is there again. */
   #stop(): void {
-    this.#draping.stop();
+    this.#draping.stop(this.#shown && meshOf(this.#shown));
     this.#cuts.giveUp();
     this.#results.keepNet();
     this.#setMaking(false);
@@ -441,16 +442,18 @@ export class DrapeDialog implements DraperLike {
 
   #taken(): TakenNet | null {
     if (this.#shown === null) return null;
-    const { net } = this.#shown;
-    const { restPositions: positions, faceStart, faceVertices } = net;
-    const mesh = { positions, faceStart, faceVertices };
     return {
-      net: { mesh, name: netName(this.#name) },
-      handles: proposedHandles(net),
+      net: { mesh: meshOf(this.#shown), name: netName(this.#name) },
+      handles: proposedHandles(this.#shown.net),
       guide: this.#surface,
       upAxis: this.#up,
     };
   }
+}
+
+function meshOf({ net }: ShownNet): Mesh {
+  const { restPositions: positions, faceStart, faceVertices } = net;
+  return { positions, faceStart, faceVertices };
 }
 
 function isSame(settings: RemeshOptions, others: RemeshOptions): boolean {

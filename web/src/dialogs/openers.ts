@@ -48,6 +48,7 @@ export class Openers {
   readonly #files: FileOpener;
   readonly #app: OpenNet;
   readonly #root: HTMLElement;
+  #isChanging = false;
 
   /** @param root parent of the dialogs. */
   constructor(app: OpenNet, root: HTMLElement) {
@@ -70,12 +71,13 @@ export class Openers {
 
   async equalizeNet(): Promise<void> {
     const { formats } = this.#app;
-    const { document, net } = this.#app.netToChange();
+    const opening = this.#app.netToChange();
+    const { document, net } = opening;
     const subject = subjectOfNet(document, net, formats);
     const equalized = await this.#createEqualizer(subject, document.view.upAxis).result;
+    if (equalized === null || !this.#isOpen(opening)) return;
     if (equalized === 'newNet') await this.#newNetOn(subject, document.view.upAxis);
-    else if (equalized !== null)
-      await this.#app.openScene(this.#fromSameSide(equalizedScene(document, equalized, formats)));
+    else await this.#app.openScene(this.#fromSameSide(equalizedScene(document, equalized, formats)));
   }
 
   async #newNetOn({ name, net, positions }: Subject, upAxis: UpAxis | undefined): Promise<void> {
@@ -97,13 +99,23 @@ export class Openers {
     else if (taken !== null) await this.#open(taken);
   }
 
-  /** The net with other faces, in place of the one that is open. */
+  /** The net with other faces, in place of the one that is open. One change at a time: another would be of the same net. */
   async changeNet(wanted: WantedChange): Promise<void> {
+    if (this.#isChanging) return;
+    this.#isChanging = true;
+    try {
+      await this.#changeNet(wanted);
+    } finally {
+      this.#isChanging = false;
+    }
+  }
+
+  async #changeNet(wanted: WantedChange): Promise<void> {
     const { formats } = this.#app;
     const opening = this.#app.netToChange();
     const request = requestOf(opening, wanted, this.#app.handles.choice.selection);
     const changed = await this.#changed(request);
-    if (changed === null) return;
+    if (changed === null || !this.#isOpen(opening)) return;
     const scene = this.#fromSameSide(changedScene(opening.document, request, changed, formats));
     const name = { name: nameOf(wanted.way), key: null };
     if (wanted.way === 'resize') {
@@ -124,6 +136,11 @@ export class Openers {
         scene.method === opening.document.method ? '' : aboutMethod(count(MOST_VERTICES_AT_REST)),
       ]),
     );
+  }
+
+  /** False: another net, which is not to be replaced, was opened meanwhile. Fails as well where one is about to be. */
+  #isOpen({ document }: Opening): boolean {
+    return this.#app.netToChange().document.net === document.net;
   }
 
   /** A net made of the present one is seen as that is. */

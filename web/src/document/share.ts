@@ -3,6 +3,7 @@
  * the base64 of URLs, the length of a JSON header (32 bits, little end first), the header (codec.ts), the packed mesh if its
  * net says how many bytes that has (packed_mesh.ts), and the packed positions (packing.ts).
  */
+import type { Mesh } from '../../../wasm/chebnet';
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 import { readingWords } from '../language/reading';
 import { fromBase64, toBase64 } from './base64';
@@ -78,32 +79,45 @@ interface CarriedNet {
   mesh: Uint8Array;
 }
 
-/** What a link can be, the most exact first. */
+/** What a link can be, the most exact first; nothing if the shortest is too long, so that the others are not packed for nothing:
+ *  each takes a while. */
 function* forms(
   document: ChebnetDocument,
   net: PackingNet,
   threshold: number,
   largest: number,
 ): Generator<{ hash: string; positions: boolean }> {
-  let shortest: CarriedNet | undefined;
-  for (const carried of carriedNets(document.net, largest)) {
-    shortest = carried;
-    if (isWorthPacking(document.positions, largest) || isAtRest(document, net))
+  if ('mesh' in document.net && !isWorthPacking(document.net.mesh.positions, largest)) return;
+  const smallest = smallestNet(document.net);
+  const shortest = smallest && withoutPositions(document, net, smallest);
+  if (shortest === undefined || shortest.length > largest) return;
+  if (isWorthPacking(document.positions, largest) || isAtRest(document, net))
+    for (const carried of carriedNets(document.net))
       yield { hash: withPositions(document, net, carried, threshold), positions: true };
-  }
-  if (shortest) yield { hash: withoutPositions(document, net, shortest), positions: false };
+  yield { hash: shortest, positions: false };
 }
 
 function isWorthPacking(positions: Float64Array | null, largest: number): boolean {
   return positions === null || positions.length <= 3 * MOST_VERTICES_A_CHARACTER * largest;
 }
 
-function* carriedNets(source: DocumentNet, largest: number): Generator<CarriedNet> {
-  if ('mesh' in source && !isWorthPacking(source.mesh.positions, largest)) return;
+/** The most exact first. */
+function* carriedNets(source: DocumentNet): Generator<CarriedNet, undefined> {
   if (!('mesh' in source) || source.mesh.positions.length <= 3 * MOST_AS_TEXT) yield plain(source);
-  if (!('mesh' in source)) return;
-  const { mesh, ...traits } = source;
-  for (const precision of PRECISIONS) {
+  if ('mesh' in source) yield* packedNets(source, PRECISIONS);
+}
+
+/** Undefined: there is none at all. */
+function smallestNet(source: DocumentNet): CarriedNet | undefined {
+  const coarsest = 'mesh' in source ? packedNets(source, [...PRECISIONS].reverse()).next().value : undefined;
+  return coarsest ?? carriedNets(source).next().value ?? undefined;
+}
+
+function* packedNets(
+  { mesh, ...traits }: Extract<DocumentNet, { mesh: Mesh }>,
+  precisions: readonly number[],
+): Generator<CarriedNet, undefined> {
+  for (const precision of precisions) {
     const packed = packMesh(mesh, precision);
     if (packed) yield { head: { ...traits, packed: packed.length }, mesh: packed };
   }

@@ -42,7 +42,8 @@ export class Untrusted {
   /** Also one of numbers of one type. */
   list(longest = Infinity): Untrusted[] {
     const { value } = this;
-    if (!isList(value) || value.length > longest) this.fail(words.fields.list);
+    if (!isList(value)) this.fail(words.fields.list);
+    if (value.length > longest) this.fail(words.fields.listUpTo(longest));
     return Array.from(value, (each, i) => this.#part(each, `${this.path}[${i}]`));
   }
 

@@ -1,5 +1,5 @@
 /** The page's side of the draping worker. While it is busy the latest request of each kind waits, and all for new marks. */
-import type { DrapeReport, Point, RemeshOptions, RemeshPhase, SurfacePlace } from '../../../wasm/chebnet';
+import type { DrapeReport, Mesh, Point, RemeshOptions, RemeshPhase, SurfacePlace } from '../../../wasm/chebnet';
 import { Failure } from '../failure';
 import { words } from '../language/language';
 import type {
@@ -22,6 +22,8 @@ const STILL_MS = 120;
 
 /** What is still wanted when a net that was being made is given up: answers to these come from the next worker. */
 const OUTLASTING: readonly DrapeRequest['type'][] = ['propose', 'trace', 'place'];
+
+type MeasureRequest = Extract<DrapeRequest, { type: 'measure' }>;
 
 /** The part of a `Worker` that is used. */
 export interface DrapeWorkerLike {
@@ -69,7 +71,8 @@ export class Draping {
   #asked: DrapeRequest | null = null;
   /** At most one of each kind, in the order in which they came; with another surface all before it are gone. */
   #waiting: readonly DrapeRequest[] = [];
-  #isMeasured = true;
+  /** Asks how the last net lies, as long as that is not known; null: it is, or there is none. */
+  #unmeasured: MeasureRequest | null = null;
   #still: ReturnType<typeof setTimeout> | undefined;
 
   constructor(spawn: () => DrapeWorkerLike, events: DrapingEvents) {
@@ -87,6 +90,7 @@ export class Draping {
     if (this.#isLost) this.#begin();
     this.#source = source;
     this.#isReopening = false;
+    this.#unmeasured = null;
     this.#ask({ type: 'open', source });
   }
 
@@ -122,8 +126,9 @@ export class Draping {
     this.#askOfSurface({ type: 'remesh', options });
   }
 
-  /** Gives up what is being made, and cuts that were to be proposed; the surface stays open. */
-  stop(): void {
+  /** Gives up what is being made, and cuts that were to be proposed; the surface stays open.
+   *  @param shown the net of before, which the next worker does not know. */
+  stop(shown: Mesh | null = null): void {
     const wanted = [this.#asked, ...this.#waiting].filter((each) => each !== null && OUTLASTING.includes(each.type));
     this.close();
     this.#begin();
@@ -131,6 +136,8 @@ export class Draping {
     this.#isReopening = true;
     this.#ask({ type: 'open', source: this.#source });
     for (const request of wanted) this.#ask(request!);
+    if (this.#unmeasured !== null) this.#unmeasured = shown && { type: 'measure', mesh: shown };
+    if (this.#unmeasured !== null) this.#ask(this.#unmeasured);
   }
 
   close(): void {
@@ -152,7 +159,6 @@ export class Draping {
     this.#isLost = false;
     this.#asked = null;
     this.#waiting = [];
-    this.#isMeasured = true;
   }
 
   /** There is another worker once a surface is opened: one after the other might be lost. */
@@ -161,6 +167,7 @@ export class Draping {
     this.#isLost = true;
     this.#asked = null;
     this.#waiting = [];
+    this.#unmeasured = null;
     this.#events.refused(new Failure('worker_lost', message), null);
   }
 
@@ -179,7 +186,6 @@ export class Draping {
 
   #post(request: DrapeRequest): void {
     this.#asked = request;
-    if (request.type === 'open' || request.type === 'measure') this.#isMeasured = true;
     this.#worker.postMessage(request);
   }
 
@@ -192,14 +198,14 @@ export class Draping {
     const request = this.#asked;
     this.#asked = null;
     const isOld = this.#waits('open') || (response.type === 'measured' && this.#waits('drape', 'remesh'));
-    if (response.type === 'draped' || response.type === 'remeshed' || (response.type === 'measured' && isOld))
-      this.#isMeasured = false;
+    if (!isOld && (response.type === 'draped' || response.type === 'remeshed')) this.#unmeasured = { type: 'measure' };
+    if (!isOld && request?.type === 'measure') this.#unmeasured = null;
     const [next, ...others] = this.#waiting;
     this.#waiting = others;
     if (next !== undefined) this.#post(next);
     if (!isOld) this.#tell(response, request?.type ?? null);
-    if (this.#asked === null && !this.#isMeasured)
-      this.#still = setTimeout(() => this.#ask({ type: 'measure' }), STILL_MS);
+    const unmeasured = this.#unmeasured;
+    if (this.#asked === null && unmeasured !== null) this.#still = setTimeout(() => this.#ask(unmeasured), STILL_MS);
   }
 
   #tell(response: DrapeResponse, request: DrapeRequest['type'] | null): void {

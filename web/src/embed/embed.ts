@@ -43,8 +43,12 @@ export function makeWayOut(app: App): HTMLElement {
     { class: 'way-out', href: location.pathname, target: '_blank', rel: 'noopener' },
     embedWords.open,
   );
+  let made: { document: unknown; hash: string | null } | null = null;
   const update = (event: Event): void => {
-    const { hash } = hashOf(app);
+    const document = app.opening?.document;
+    // That of a large net takes a while; a click comes after its pointer went down.
+    if (made === null || made.document !== document) made = { document, hash: hashOf(app).hash };
+    const { hash } = made;
     link.href = location.pathname + (hash ?? '');
     if (hash !== null || event.type === 'pointerdown') return;
     event.preventDefault(); // it would lead to another net

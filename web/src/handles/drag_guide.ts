@@ -96,7 +96,8 @@ export class DragGuide {
    *  does not snap. */
   snapped(targets: readonly Handle[], others: readonly HandleData[]): readonly Handle[] {
     const asked = (this.snapping || this.#along) && translationTo(targets, this.#inHand);
-    return asked ? this.#moved(this.snapping?.translation(asked, this.#inHand[0]!, others) ?? asked) : targets;
+    if (!asked) return targets;
+    return this.#moved(targets, this.snapping?.translation(asked, this.#inHand[0]!, others) ?? asked);
   }
 
   /** Says where the leading handle is. */
@@ -119,7 +120,7 @@ export class DragGuide {
     }
     const isWithin = (place: Vec3): boolean => nearestInAll(this.#limits, place) === place;
     const stop = this.snapping?.curve?.farthest(this.#inHand[0]!.base, this.#reached, asked!, isWithin) ?? nearest;
-    return this.#moved((this.#reached = stop));
+    return this.#moved(targets, (this.#reached = stop));
   }
 
   end(): void {
@@ -155,8 +156,12 @@ export class DragGuide {
     this.shade(null);
   }
 
-  #moved(translation: Vec3): Handle[] {
-    return this.#inHand.map((each) => ({ vertex: each.vertex, target: translated(each, translation) }));
+  /** Only these: of what was in hand at the start some may have gone. */
+  #moved(targets: readonly Handle[], translation: Vec3): Handle[] {
+    const present = new Set(targets.map(({ vertex }) => vertex));
+    return this.#inHand
+      .filter(({ vertex }) => present.has(vertex))
+      .map((each) => ({ vertex: each.vertex, target: translated(each, translation) }));
   }
 
   async #findReach(): Promise<void> {

@@ -397,6 +397,7 @@ export class HandleEditor implements HandleCommands {
     const present = new Set(verticesOf(this.#handles));
     const held = targets.filter(({ vertex }) => present.has(vertex));
     if (!this.#history.inGesture || held.length === 0 || this.#host.beforeIfAny() === null) return;
+    this.#followers = this.#followers.filter(({ vertex, leader }) => present.has(vertex) && present.has(leader));
     this.#pendingTargets = held;
     this.#guide.keepTo(along);
     this.#carry(held);

@@ -126,21 +126,21 @@ export function isNearBorder(limits: readonly Limit[], point: Vec3): boolean {
   return limits.some((limit) => distance(limit, point) > (1 - NEAR) * limit.radius);
 }
 
-/** The translation that takes handles there; null: they are turned or scaled. */
+/** The translation that takes handles there; null: they are turned or scaled. What was in hand and has no target has gone. */
 export function translationTo(targets: readonly Handle[], inHand: readonly InHand[]): Vec3 | null {
+  const asked = new Map(targets.map(({ vertex, target }) => [vertex, target]));
+  const held = inHand.filter(({ vertex }) => asked.has(vertex));
   const translation = [0, 1, 2].map((axis) => {
-    const leading = inHand.findIndex(({ follows }) => follows[axis] !== 0);
-    return leading === -1
-      ? 0
-      : (targets[leading]!.target[axis]! - inHand[leading]!.base[axis]!) / inHand[leading]!.follows[axis]!;
+    const leading = held.find(({ follows }) => follows[axis] !== 0);
+    return leading ? (asked.get(leading.vertex)![axis]! - leading.base[axis]!) / leading.follows[axis]! : 0;
   }) as Vec3;
-  const isThere = (each: InHand, i: number): boolean => {
-    const off = plus(targets[i]!.target, translated(each, translation), -1).map((x, axis) =>
+  const isThere = (each: InHand): boolean => {
+    const off = plus(asked.get(each.vertex)!, translated(each, translation), -1).map((x, axis) =>
       each.follows[axis] === 0 ? 0 : x,
     );
     return Math.hypot(...off) <= TURNED * (Math.hypot(...translation) + TURNED * Math.hypot(...each.base));
   };
-  return inHand.every(isThere) ? translation : null;
+  return held.every(isThere) ? translation : null;
 }
 
 /** Such a handle where only these coordinates of the translation count. */

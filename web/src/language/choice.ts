@@ -8,22 +8,26 @@ export function preferredLanguage(): Language {
   return wanted.toLowerCase().startsWith('zh') ? 'zh' : 'en';
 }
 
+/** The address says it where the browser could not store it, though it may read what it stored before. */
 function earlierChoice(): string | null {
   try {
-    return globalThis.localStorage?.getItem(CHOICE) ?? null;
+    return (
+      new URLSearchParams(globalThis.location?.search).get(CHOICE) ?? globalThis.localStorage?.getItem(CHOICE) ?? null
+    );
   } catch {
-    return new URLSearchParams(location.search).get(CHOICE); // Storage is switched off.
+    return null; // Storage is switched off.
   }
 }
 
 /** Counts from the next load of the page. */
 export function chooseLanguage(language: Language): void {
+  const address = new URL(location.href);
+  address.searchParams.delete(CHOICE);
   try {
     localStorage.setItem(CHOICE, language);
   } catch {
-    // Storage is switched off: the address keeps it.
-    const address = new URL(location.href);
+    // Storage is switched off or full: the address keeps it.
     address.searchParams.set(CHOICE, language);
-    history.replaceState(null, '', address);
   }
+  history.replaceState(null, '', address);
 }

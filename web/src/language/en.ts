@@ -174,6 +174,7 @@ export const en = {
     must: (path: string, expected: string) => `${path || 'the file'} must be ${expected}`,
     record: 'a record with named fields',
     list: 'a list',
+    listUpTo: (longest: number) => `a list of at most ${longest}`,
     text: 'a text, not too long',
     flag: 'true or false',
     number: 'a number',

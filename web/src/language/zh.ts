@@ -172,6 +172,7 @@ export const zh: Words = {
     must: (path, expected) => `${path || '文件'} 必须是${expected}`,
     record: '含命名字段的记录',
     list: '列表',
+    listUpTo: (longest) => `最多 ${longest} 项的列表`,
     text: '长度合适的文本',
     flag: ' true 或 false',
     number: '数值',

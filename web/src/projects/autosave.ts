@@ -51,6 +51,11 @@ export class Autosave {
     return this.#refused;
   }
 
+  /** Nothing has the present net but the page. */
+  get keepsNothing(): boolean {
+    return this.#refused || !this.#keeps;
+  }
+
   /** Stores the present net under `id` from now on; unless it is `worth` it already, only after the next change. */
   begin(id: string, worth: boolean): void {
     if (id !== this.#id) release(this.#id);

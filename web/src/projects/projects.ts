@@ -24,8 +24,10 @@ export class Projects {
   /** Looked up while the solver loads. */
   readonly #last: Promise<KeptProject | undefined>;
   #saidNotKept = false;
-  /** The revision of the history that is in a file, or in the link in the address. */
+  /** The revision of the history that is in a file, in the link in the address, or as it was kept. */
   #savedRevision = -1;
+  /** The revision that was offered to be saved before it is given up. */
+  #offeredRevision = -1;
   /** The revision of the history at which the worker was lost; null: it was not, or not by this document. */
   #lostAt: number | null = null;
 
@@ -111,6 +113,7 @@ export class Projects {
     const last = await findNewest(this.#autosave.id).catch(() => undefined);
     const text = await wording();
     if (last === undefined) return this.#app.say(text.noOther);
+    if (await this.#isToBeSaved()) return;
     await this.#restore(last);
     this.#app.say(text.lastRestored);
   }
@@ -129,6 +132,7 @@ export class Projects {
   /** Where another tab has it open, a copy. */
   async #openKept(id: string): Promise<void> {
     await this.#autosave.save();
+    if (await this.#isToBeSaved()) return;
     const kept = await read(id);
     if (kept === undefined) return;
     const isFree = await claim(id);
@@ -142,15 +146,25 @@ export class Projects {
    *  carries the net over; one too large for that is to be saved first. */
   async reload(): Promise<void> {
     await this.#autosave.save();
-    const { refused, id } = this.#autosave;
-    if (!refused && isOwn(id)) return location.replace(location.pathname + location.search);
-    if (refused && !(await this.#putIntoAddress()) && this.#isUnsaved) return this.#offerToSave();
+    const { keepsNothing, id } = this.#autosave;
+    if (!keepsNothing && isOwn(id)) return location.replace(location.pathname + location.search);
+    if (keepsNothing && !(await this.#putIntoAddress()) && this.#isUnsaved)
+      return this.#offerToSave((await wording()).notKept);
     location.reload();
   }
 
   /** The browser stores nothing of it, and no file has it. */
   get #isUnsaved(): boolean {
     return this.#autosave.refused && this.#app.history.revision !== this.#savedRevision;
+  }
+
+  /** Whether a project is not opened yet, as the present net and its history would be lost: asked again, it is. */
+  async #isToBeSaved(): Promise<boolean> {
+    const { revision } = this.#app.history;
+    if (!this.#isUnsaved || this.#offeredRevision === revision) return false;
+    this.#offeredRevision = revision;
+    this.#offerToSave((await wording()).wouldBeLost);
+    return true;
   }
 
   /** False: it is too large. */
@@ -202,6 +216,7 @@ export class Projects {
 
   async openFile(file: File): Promise<void> {
     await this.#autosave.save();
+    if (await this.#isToBeSaved()) return;
     const { checkSize, parseProject } = await projectFormat();
     const text = await wording();
     checkSize(file.name, file.size);
@@ -214,6 +229,7 @@ export class Projects {
       if (isCancelled(error)) throw error;
       throw new Failure('bad_project', text.fault(file.name, messageOf(error)));
     }
+    this.#savedRevision = this.#app.history.revision;
     const id = newId();
     if (title) await this.#nameIt(id, title);
     this.#autosave.begin(id, true);
@@ -245,6 +261,7 @@ export class Projects {
     try {
       const { readProject } = await projectFormat();
       await this.#openFlagged(id, () => this.#app.openProject(readProject(project)));
+      this.#savedRevision = this.#app.history.revision;
     } catch (error) {
       if (claimed) release(id);
       throw error;
@@ -282,12 +299,14 @@ export class Projects {
     addEventListener('beforeunload', this.#warn);
     if (this.#saidNotKept) return;
     this.#saidNotKept = true;
-    this.#offerToSave().catch(() => (this.#saidNotKept = false));
+    wording()
+      .then(({ notKept }) => this.#offerToSave(notKept))
+      .catch(() => (this.#saidNotKept = false));
   }
 
-  async #offerToSave(): Promise<void> {
+  #offerToSave(why: string): void {
     const save = (): void => void this.save().catch((error: unknown) => this.#app.report(error));
-    this.#app.offer((await wording()).notKept, words.projects.menu.save.title, save);
+    this.#app.offer(why, words.projects.menu.save.title, save);
   }
 
   /** Has the browser ask whether to leave. */

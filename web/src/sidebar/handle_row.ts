@@ -80,7 +80,8 @@ export class HandleRow {
   ): void {
     if (handle === undefined) return;
     const state = `${selected} ${alone} ${slipway.up} ${slipway.slides}`;
-    if (handle === this.#handle && state === this.#shown) return;
+    // Fields that are in sight may hold what was refused.
+    if (!alone && handle === this.#handle && state === this.#shown) return;
     [this.#handle, this.#shown] = [handle, state];
     const { target, anchor, hidden, weight, slides } = handle;
     setText(this.#title, titleOf(handle));

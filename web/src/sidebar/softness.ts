@@ -1,7 +1,7 @@
 /** Whether handles are soft, and how hard they pull then. */
 import type { HandleTraits } from '../handles/commands';
 import { panelWords } from '../language/panels';
-import { make, makeSwitch, setText, setValue } from '../elements/dom';
+import { make, makeSwitch, mayBeSet, setText, setValue } from '../elements/dom';
 import { small } from '../language/numbers';
 
 /** Weights as powers of ten, and the one a handle begins with. */
@@ -33,7 +33,7 @@ export class Softness {
     this.#weightRow.hidden = weight === undefined;
     if (weight === undefined) return;
     setValue(this.#weight, String(Math.log10(weight)));
-    setText(this.#value, small(weight));
+    if (mayBeSet(this.#weight)) setText(this.#value, small(weight));
   }
 
   #chosen(): number {

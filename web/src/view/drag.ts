@@ -46,10 +46,14 @@ export class DragReport {
 
   end(cancelled: boolean): void {
     if (!this.isUnderWay) return;
-    if (!cancelled) this.flush();
-    this.#held = [];
-    this.#pending = null;
-    this.#events.dragEnd(cancelled);
+    try {
+      if (!cancelled) this.flush();
+    } finally {
+      // Also where the last move fails: undo would wait for the end of the drag.
+      this.#held = [];
+      this.#pending = null;
+      this.#events.dragEnd(cancelled);
+    }
   }
 }
 

@@ -13,5 +13,7 @@ export const kept = {
   diedLink: 'The page stopped while this link was open, so it was not opened again by itself.',
   openAnyway: 'Open it',
   notKept: 'This browser does not let the page keep your net. Save it as a project (Ctrl+S) before you leave.',
+  wouldBeLost:
+    'This browser does not keep your net: the project would replace it for good. Save it first, or open the project again.',
   fault: (file: string, reason: string) => `${file}: ${reason}`,
 };
