@@ -2,13 +2,17 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { App } from '../../web/src/app/app';
 import { newRun, type Run, type RunPlan } from '../../web/src/compare/run';
-import type { ChebnetDocument, HandleData } from '../../web/src/document/document';
+import type { ChebnetDocument, HandleData, Vec3 } from '../../web/src/document/document';
 import { FIGURES } from '../../web/src/experiments/figures';
 import type { NewNetResponse } from '../../web/src/experiments/new_net_protocol';
 import { texts } from '../../web/src/experiments/texts';
 import type { Choice, HandleCommands } from '../../web/src/handles/commands';
 import type { Snapping } from '../../web/src/handles/snapping';
+import { dialogWords } from '../../web/src/language/dialogs';
 import { panelWords } from '../../web/src/language/panels';
+import { DrapeCreases } from '../../web/src/dialogs/drape_creases';
+import { type CutEvents, DrapeCuts } from '../../web/src/dialogs/drape_cuts';
+import { DrapeMaker } from '../../web/src/dialogs/drape_maker';
 import { Hints } from '../../web/src/learn/hints';
 import { words } from '../../web/src/language/language';
 import { Messages } from '../../web/src/overlay/messages';
@@ -166,6 +170,52 @@ describe('what goes while it has the focus leaves it to the picture:', () => {
     elsewhere.focus();
     notice.setOpening(false, false);
     expect(page.activeElement).toBe(elsewhere);
+  });
+});
+
+describe('a button of the dialog for draping that goes when it is pressed leaves the focus', () => {
+  const TEXT = dialogWords.drape;
+  const press = (button: string): void => {
+    page.button(button).focus();
+    page.button(button).tell('click');
+  };
+  const line = { points: [[0, 0, 0] as Vec3, [1, 0, 0] as Vec3], path: Float64Array.of(0, 0, 0, 1, 0, 0) };
+
+  test('to the one in its place', () => {
+    const maker = new DrapeMaker({ begun: () => maker.setBusy(true), stopped: () => maker.setBusy(false) });
+    maker.show(true);
+    press(TEXT.make);
+    expect(page.activeElement).toBe(page.button(TEXT.stop));
+    press(TEXT.stop);
+    expect(page.activeElement).toBe(page.button(TEXT.make));
+  });
+
+  test('of cuts, to the one that draws others', () => {
+    const cuts = new DrapeCuts(SILENT as CutEvents);
+    const draw = page.button(TEXT.cuts.draw);
+    press(TEXT.cuts.propose);
+    expect(page.activeElement).toBe(draw);
+    cuts.setProposed([line], [0, 1]);
+    for (const button of ['undo', 'clear'] as const) {
+      press(TEXT.cuts[button]);
+      expect(page.activeElement).toBe(draw);
+      press(TEXT.cuts.propose);
+      cuts.setProposed([line], [0, 1]);
+    }
+  });
+
+  test('of creases, to the one that draws others', () => {
+    let revision = 0;
+    const events = { traceWanted: (_: unknown, of: number) => (revision = of), drawingChanged() {}, shown() {} };
+    const creases = new DrapeCreases(events);
+    creases.show(true);
+    press(TEXT.markedCreases.draw);
+    for (const point of line.points) creases.add(point);
+    creases.setTraced(line, revision);
+    press(TEXT.markedCreases.end);
+    expect(page.activeElement).toBe(page.button(TEXT.markedCreases.draw));
+    press(TEXT.markedCreases.undo);
+    expect(page.activeElement).toBe(page.button(TEXT.markedCreases.draw));
   });
 });
 
