@@ -1093,7 +1093,7 @@ test('net lines over a whole surface follow lines that are drawn, by hand and by
 test('a surface beside the net says how far the net is, in edges and units, and a handle in hand keeps to it', async () => {
   await visit.page.evaluate(() => window.chebnet.drape({ own: 'shell' }, { cells: 200 }));
   await script.settled();
-  const guide = visit.page.getByRole('group', { name: 'Surface: shell' });
+  const guide = visit.page.getByRole('group', { name: 'Surface: Free-form shell' });
   await guide.waitFor();
   const farther = async () => distanceFromShell(await script.positions());
 
@@ -1141,7 +1141,7 @@ test('a surface beside the net says how far the net is, in edges and units, and 
 test('where its surface does not come, dragging is not said to snap to it', async () => {
   const { page } = visit;
   await page.evaluate(() => window.chebnet.drape({ own: 'shell' }, { cells: 200 }));
-  await page.getByRole('group', { name: 'Surface: shell' }).waitFor();
+  await page.getByRole('group', { name: 'Surface: Free-form shell' }).waitFor();
   await page.evaluate(() => {
     const { postMessage } = Worker.prototype;
     Worker.prototype.postMessage = function (this: Worker, request: { type: string; id: number }) {
@@ -1185,7 +1185,7 @@ test('a script describes a surface, lays a net on it or over it, and reads how i
   expect(whole.milliseconds.fit).toBeGreaterThan(0);
   const { faces } = await script.stats();
   expect(faces).toBeGreaterThan(200);
-  await visit.page.getByRole('group', { name: 'Surface: pebble' }).waitFor();
+  await visit.page.getByRole('group', { name: 'Surface: Pebble' }).waitFor();
 
   // A net that takes long says how far it is, and can be given up: the one before stays.
   const watched = await visit.page.evaluate(async () => {
