@@ -4,7 +4,7 @@ import { type ChangeName, textOf } from '../document/naming';
 import { remade, usualMethod } from '../document/defaults';
 import { guideTitle } from '../document/changes';
 import type { ChebnetDocument, GuideSource, Scene } from '../document/document';
-import { fileNameOf } from '../document/file_name';
+import { fileNameOf } from '../files/file_name';
 import type { Selection } from '../handles/selection';
 import type { Opening } from '../worker/opening';
 import type { DrawnSurface } from '../worker/protocol';
