@@ -267,6 +267,30 @@ test('of edges that have grown, lengths are told in edges as they are now', () =
   expect(page.all('dd')[0]!.textContent).toBe('2');
 });
 
+test('a locality between the steps of its slider is told as it is, with the focus and after it', () => {
+  const previewed: unknown[] = [];
+  const previewLocality = (radius?: number): void => void previewed.push(radius);
+  const panel = new DragPanel(
+    Object.assign(Object.create(SILENT), { previewLocality }) as HandleCommands,
+    () => {},
+    () => {},
+  );
+  panel.setNet(net);
+  panel.setDocument({ locality: 30 } as ChebnetDocument);
+  const [slider, output] = ['input', 'output'].map((tag) => page.all(tag).at(-1)!);
+  const told = panelWords.drag.radius('30');
+  expect(output!.value).toBe(told);
+  slider!.focus();
+  slider!.tell('focus');
+  expect(output!.value).toBe(told);
+  Object.assign(slider!, { value: '1' }).tell('input');
+  expect(output!.value).not.toBe(told);
+  page.canvas.focus();
+  slider!.tell('blur');
+  expect(output!.value).toBe(told);
+  expect(previewed).toEqual([30, 11, undefined]);
+});
+
 test('while thousands of handles are dragged, none is looked for among all of them', () => {
   const SIZE = 2000;
   let reads = 0;
