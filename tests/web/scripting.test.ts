@@ -173,6 +173,18 @@ test('what is left out, or given as undefined, is as if nobody had spoken of it'
   expect(app.opening!.document.locality).toBeUndefined();
 });
 
+test('a locality is refused where no net is open, and the one that is set already is no change', async () => {
+  const { app } = await openPage(core);
+  const early = createScripting(app, Promise.resolve());
+  expect(await refusal(() => early.setLocality(3))).toMatchObject({ code: 'no_net' });
+
+  const { script, app: open } = await pageWithDome();
+  await script.setLocality(3);
+  await open.undo();
+  await script.setLocality(null);
+  expect(open.history.canRedo).toBe(true);
+});
+
 test('calls that are sent together are carried out in this order, whatever each has to load first', async () => {
   const { script, solve } = await pageWithDome();
   const { vertex } = (script.handles() as { vertex: number }[]).at(-1)!;

@@ -331,7 +331,7 @@ export class HandleEditor implements HandleCommands {
   #changeDocument(change: Partial<ChebnetDocument>, name: ChangeName, key: string | null = null): void {
     const before = this.#host.beforeIfAny();
     // Controls show again what is.
-    if (before === null) return this.#host.choiceChanged();
+    if (before === null || isPartOf(before, change)) return this.#host.choiceChanged();
     this.#history.record(before, name, key);
     this.#host.change(change);
   }
@@ -554,6 +554,10 @@ export class HandleEditor implements HandleCommands {
     }
     return this.#mirror.mirror;
   }
+}
+
+function isPartOf(document: Snapshot, change: Partial<Snapshot>): boolean {
+  return Object.entries(change).every(([name, value]) => document[name as keyof Snapshot] === value);
 }
 
 /** A whole number where it is one but for rounding. */
