@@ -139,12 +139,19 @@ export class HandleEditor implements HandleCommands {
   // --------------------------------------------------------------------------------------------------------- which ones
 
   /** Replaces the handles.
-   *  @param name what the history calls it. */
-  async set(handles: readonly HandleData[], name: ChangeName = ['handles']): Promise<void> {
+   *  @param name what the history calls it.
+   *  @param selection of these. */
+  async set(
+    handles: readonly HandleData[],
+    name: ChangeName = ['handles'],
+    selection = this.#selection,
+  ): Promise<void> {
     const before = this.#host.before();
     const after = [...handles];
     this.#history.record(before, name);
     this.#host.change({ handles: after });
+    // At once: others may be selected before the solver has taken them.
+    this.select(selection);
     try {
       await this.#client.setHandles(targetsOf(handles));
     } catch (error) {
@@ -233,8 +240,8 @@ export class HandleEditor implements HandleCommands {
         ...(name !== undefined && { name }),
       }),
     );
-    if (added.length > 0) await this.set([...before, ...added], ['add', this.#titleOf(added)]);
-    this.select(selection);
+    if (added.length === 0) return this.select(selection);
+    await this.set([...before, ...added], ['add', this.#titleOf(added)], selection);
   }
 
   // --------------------------------------------------------------------------------------------------------- what they are
