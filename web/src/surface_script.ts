@@ -48,7 +48,7 @@ export type WholeReport = DrapeReport & {
 };
 
 export async function describe(given: Untrusted): Promise<SurfaceReport> {
-  return withSurface(surfaceOf(given), async (_, { report }) => report);
+  return look(surfaceOf(given), async (_, { report }) => report);
 }
 
 export async function drape(app: App, given: Untrusted, options: Untrusted): Promise<LaidReport> {
@@ -92,7 +92,7 @@ export async function report(app: App): Promise<DrapeReport> {
     throw new Failure('bad_option', dialogWords.drape.noGuide);
   const { faceStart, faceVertices } = net;
   const mesh = { positions: Float64Array.from(frame.positions), faceStart, faceVertices };
-  return withSurface(guide, async (draper) => (await draper.ask({ type: 'measure', mesh }, 'measured')).report);
+  return look(guide, async (draper) => (await draper.ask({ type: 'measure', mesh }, 'measured')).report);
 }
 
 async function measured(draper: AskedDraper, { times }: Pick<DrapedNet, 'times'>) {
@@ -111,11 +111,20 @@ async function proposedCuts(draper: AskedDraper, settings: DrapeSettings): Promi
   return cuts.map(({ points }) => points);
 }
 
+type WithSurface<T> = (draper: AskedDraper, surface: { report: SurfaceReport }) => Promise<T>;
+
+/** Ends when the calls so far that change no net have. */
+let looked: Promise<unknown> = Promise.resolve();
+
+/** For such a call. They come one after another, as those that change the net do: many at once would take a core each. */
+function look<T>(guide: GuideSource, doing: WithSurface<T>): Promise<T> {
+  const looking = looked.then(() => withSurface(guide, doing));
+  looked = looking.catch(() => {});
+  return looking;
+}
+
 /** With a worker of its own, as long as that takes. */
-async function withSurface<T>(
-  guide: GuideSource,
-  doing: (draper: AskedDraper, surface: { report: SurfaceReport }) => Promise<T>,
-): Promise<T> {
+async function withSurface<T>(guide: GuideSource, doing: WithSurface<T>): Promise<T> {
   const source: SurfaceSource = 'own' in guide ? guide : { mesh: guide.mesh };
   const draper = new AskedDraper(new Worker(new URL('./drape/drape_worker.ts', import.meta.url), { type: 'module' }));
   try {
