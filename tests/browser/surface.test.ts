@@ -1267,10 +1267,19 @@ test('a singular vertex is dragged, and the next net has one there; none where a
   expect((await dots(true)).map((dot) => away(dot, target) < 4)).toEqual([true]);
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-singular-kept.png') });
 
-  // By keys: another is chosen and taken away, and none is there any more.
+  // By keys: another is chosen and led away, which is undone as one way.
+  const names = await list.locator('option').allInnerTexts();
+  await list.selectOption({ index: 3 });
+  const canvas = draper().locator('.picture canvas');
+  for (const key of ['ArrowUp', 'ArrowUp']) await canvas.press(key);
+  await wishes.getByText(/^Pinned there/).waitFor();
+  await press('Undo');
+  await expect.poll(() => list.locator('option').allInnerTexts()).toEqual(names);
+
+  // It is taken away, and none is there any more.
   await list.selectOption({ index: 3 });
   const before = await list.locator('option').count();
-  await draper().locator('.picture canvas').press('Delete');
+  await canvas.press('Delete');
   await wishes.getByText(/its turn goes to the others/).waitFor();
   expect(await list.locator('option').allInnerTexts()).toContain('Region 1 without any');
   expect(await list.locator('option').count()).toBe(before);
@@ -1287,7 +1296,7 @@ test('a singular vertex is dragged, and the next net has one there; none where a
   // These alone: one too many says what is missing.
   await wishes.getByRole('checkbox', { name: 'These and no others' }).check();
   await press('Pin another');
-  await draper().locator('.picture canvas').focus();
+  await canvas.focus();
   await visit.page.keyboard.press(' ');
   await wishes.getByText(/1 more with 5 edges is missing/).waitFor();
   await press('Undo');
