@@ -194,7 +194,7 @@ export interface NetForces {
   corners: { vertexA: number; vertexB: number; push: number }[];
   /** Of each of `handles()`, what it does to the net: the support of an exact one, the pull of a soft one. */
   handles: [number, number, number][];
-  /** Of each term by its name: `bending`, `shear`, `gravity`, `closeness`, `pull`. */
+  /** Of each term by its name: `bending`, `shear`, `tips`, `gravity`, `closeness`, `pull`. */
   energies: Record<string, number>;
 }
 
