@@ -194,7 +194,7 @@ export interface NetForces {
   corners: { vertexA: number; vertexB: number; push: number }[];
   /** Of each of `handles()`, what it does to the net: the support of an exact one, the pull of a soft one. */
   handles: [number, number, number][];
-  /** Of each term by its name: `bending`, `shear`, `gravity`, `closeness`, `pull`. */
+  /** Of each term by its name: `bending`, `shear`, `tips`, `gravity`, `closeness`, `pull`. */
   energies: Record<string, number>;
 }
 
@@ -785,8 +785,11 @@ export interface Surface {
   hit(origin: Readonly<Point>, direction: Readonly<Point>): SurfacePlace | null;
   /** A beginning in the middle, with the length that gives about so many cells. */
   suggest(cells: number): { seed: Point; direction: Point; length: number };
-  /** Of several trials the best beginnings, first those that cover most, are sheared least and come nearest. */
-  propose(options: Omit<DrapeOptions, 'seed' | 'direction'>): DrapeProposal[];
+  /** Of several trials the best beginnings, first those that cover most, are sheared least and come nearest; with a direction,
+   *  all in that one. */
+  propose(
+    options: Omit<DrapeOptions, 'seed' | 'direction'> & Partial<Pick<DrapeOptions, 'direction'>>,
+  ): DrapeProposal[];
   drape(options: DrapeOptions): Drape;
   /** Cut open along shortest ways over the surface between points near it, at least two a cut; see
    *  core/surface/surface_cut.h. Shape and area stay. */

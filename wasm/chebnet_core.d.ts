@@ -162,6 +162,8 @@ export interface CoreSurface {
   hit(ray: Float64Array): SurfacePlace | null;
   suggest(cells: number): { seed: Point; direction: Point; length: number };
   propose(options: CoreDrapeOptions): DrapeProposal[];
+  /** In the direction of the options. */
+  proposeSeeds(options: CoreDrapeOptions): DrapeProposal[];
   drape(options: CoreDrapeOptions): Drape;
   /** 3 numbers a point, as for `cut`. */
   cutPath(points: Float64Array): Float64Array;

@@ -685,9 +685,11 @@ class WasmSurface {
     return this.#open.suggest(integer(cells, 'a number of cells', 1, LARGEST_INT));
   }
 
-  /** @param {Omit<DrapeOptions, 'seed' | 'direction'>} options */
+  /** @param {Omit<DrapeOptions, 'seed' | 'direction'> & Partial<Pick<DrapeOptions, 'direction'>>} options */
   propose(options) {
-    return this.#open.propose(allDrapeOptions({ ...options, seed: [0, 0, 0], direction: [1, 0, 0] }));
+    const { direction } = options;
+    const all = allDrapeOptions({ ...options, seed: [0, 0, 0], direction: direction ?? [1, 0, 0] });
+    return direction === undefined ? this.#open.propose(all) : this.#open.proposeSeeds(all);
   }
 
   /** @param {DrapeOptions} options */

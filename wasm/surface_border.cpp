@@ -145,10 +145,9 @@ DrapeOptions options_in(const val& object) {
     return options;
 }
 
-/// `options`: an object with all fields of DrapeOptions, of which seed and direction do not matter.
-val propose(const OpenSurface& open, val options) {
+val rows_of(const std::vector<DrapeProposal>& proposals) {
     val list = val::array();
-    for (const DrapeProposal& proposal : propose_drapes(open.surface, open.tree, options_in(options))) {
+    for (const DrapeProposal& proposal : proposals) {
         val row = val::object();
         row.set("seed", vector_out(proposal.options.seed));
         row.set("direction", vector_out(proposal.options.direction));
@@ -158,6 +157,16 @@ val propose(const OpenSurface& open, val options) {
         list.call<void>("push", row);
     }
     return list;
+}
+
+/// `options`: an object with all fields of DrapeOptions, of which seed and direction do not matter.
+val propose(const OpenSurface& open, val options) {
+    return rows_of(propose_drapes(open.surface, open.tree, options_in(options)));
+}
+
+/// Likewise, and the direction counts.
+val propose_seeds_on(const OpenSurface& open, val options) {
+    return rows_of(propose_seeds(open.surface, open.tree, options_in(options)));
 }
 
 val mesh_of_net(const Net& net) {
@@ -388,6 +397,7 @@ EMSCRIPTEN_BINDINGS(chebnet_surfaces) {
         .function("hit", guarded<&hit>)
         .function("suggest", guarded<&suggest>)
         .function("propose", guarded<&propose>)
+        .function("proposeSeeds", guarded<&propose_seeds_on>)
         .function("drape", guarded<&drape_surface>)
         .function("cutPath", guarded<&cut_path_on>)
         .function("shortestCut", guarded<&shortest_cut_on>)

@@ -160,7 +160,7 @@ test('a changed net is seen from the side from which it was, and so is one from 
 
 test('in another size the surface beside it has that size, too', async () => {
   await visit.page.evaluate(() => window.chebnet.setGuide({ own: 'shell' }));
-  const guide = visit.page.getByRole('group', { name: 'Surface: shell' });
+  const guide = visit.page.getByRole('group', { name: 'Surface: Free-form shell' });
   await guide.waitFor();
   const distance = async () => (await visit.page.evaluate(() => window.chebnet.report())).meanDistance;
   await script.settled();

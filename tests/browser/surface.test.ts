@@ -1093,7 +1093,7 @@ test('net lines over a whole surface follow lines that are drawn, by hand and by
 test('a surface beside the net says how far the net is, in edges and units, and a handle in hand keeps to it', async () => {
   await visit.page.evaluate(() => window.chebnet.drape({ own: 'shell' }, { cells: 200 }));
   await script.settled();
-  const guide = visit.page.getByRole('group', { name: 'Surface: shell' });
+  const guide = visit.page.getByRole('group', { name: 'Surface: Free-form shell' });
   await guide.waitFor();
   const farther = async () => distanceFromShell(await script.positions());
 
@@ -1141,7 +1141,7 @@ test('a surface beside the net says how far the net is, in edges and units, and 
 test('where its surface does not come, dragging is not said to snap to it', async () => {
   const { page } = visit;
   await page.evaluate(() => window.chebnet.drape({ own: 'shell' }, { cells: 200 }));
-  await page.getByRole('group', { name: 'Surface: shell' }).waitFor();
+  await page.getByRole('group', { name: 'Surface: Free-form shell' }).waitFor();
   await page.evaluate(() => {
     const { postMessage } = Worker.prototype;
     Worker.prototype.postMessage = function (this: Worker, request: { type: string; id: number }) {
@@ -1185,7 +1185,7 @@ test('a script describes a surface, lays a net on it or over it, and reads how i
   expect(whole.milliseconds.fit).toBeGreaterThan(0);
   const { faces } = await script.stats();
   expect(faces).toBeGreaterThan(200);
-  await visit.page.getByRole('group', { name: 'Surface: pebble' }).waitFor();
+  await visit.page.getByRole('group', { name: 'Surface: Pebble' }).waitFor();
 
   // A net that takes long says how far it is, and can be given up: the one before stays.
   const watched = await visit.page.evaluate(async () => {
@@ -1267,10 +1267,19 @@ test('a singular vertex is dragged, and the next net has one there; none where a
   expect((await dots(true)).map((dot) => away(dot, target) < 4)).toEqual([true]);
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-singular-kept.png') });
 
-  // By keys: another is chosen and taken away, and none is there any more.
+  // By keys: another is chosen and led away, which is undone as one way.
+  const names = await list.locator('option').allInnerTexts();
+  await list.selectOption({ index: 3 });
+  const canvas = draper().locator('.picture canvas');
+  for (const key of ['ArrowUp', 'ArrowUp']) await canvas.press(key);
+  await wishes.getByText(/^Pinned there/).waitFor();
+  await press('Undo');
+  await expect.poll(() => list.locator('option').allInnerTexts()).toEqual(names);
+
+  // It is taken away, and none is there any more.
   await list.selectOption({ index: 3 });
   const before = await list.locator('option').count();
-  await draper().locator('.picture canvas').press('Delete');
+  await canvas.press('Delete');
   await wishes.getByText(/its turn goes to the others/).waitFor();
   expect(await list.locator('option').allInnerTexts()).toContain('Region 1 without any');
   expect(await list.locator('option').count()).toBe(before);
@@ -1287,7 +1296,7 @@ test('a singular vertex is dragged, and the next net has one there; none where a
   // These alone: one too many says what is missing.
   await wishes.getByRole('checkbox', { name: 'These and no others' }).check();
   await press('Pin another');
-  await draper().locator('.picture canvas').focus();
+  await canvas.focus();
   await visit.page.keyboard.press(' ');
   await wishes.getByText(/1 more with 5 edges is missing/).waitFor();
   await press('Undo');

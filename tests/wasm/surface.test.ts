@@ -171,6 +171,8 @@ describe('a net on it', () => {
       const worth = proposals.map(({ covered, muchSheared }) => covered - 0.05 * muchSheared);
       expect(worth).toEqual([...worth].sort((a, b) => b - a));
       expect(torso.drape({ ...proposals[0]!, length }).mesh.faceStart.length).toBeGreaterThan(400);
+      const upright = torso.propose({ length, direction: [0, 0, 1] });
+      expect(new Set(upright.map(({ direction }) => direction.join()))).toEqual(new Set(['0,0,1']));
     });
   });
 

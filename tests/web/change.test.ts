@@ -52,7 +52,7 @@ test('in another size its surface has that size, too, about the same centre', ()
     { mesh: line(5, 1), factor: 2 },
   );
   expect(guide).toEqual({
-    name: 'shell',
+    name: 'Free-form shell',
     mesh: {
       positions: Float64Array.of(0, 0, 0, 4, 0, 0, 2, 2, 0),
       faceStart: Int32Array.of(0, 3),

@@ -1,12 +1,14 @@
 /** Comparisons over the real core, in workers that are none. */
 import { beforeEach, describe, expect, test } from 'vitest';
+import { Beside } from '../../web/src/compare/beside';
 import { Comparer } from '../../web/src/compare/comparer';
 import { tableCsv, tracesCsv } from '../../web/src/compare/csv';
 import { canShow, type Comparison, newRun, type RunPlan, startLength } from '../../web/src/compare/run';
 import { styleOf } from '../../web/src/comparison/results';
 import { freshScene } from '../../web/src/document/defaults';
+import type { View, ViewEvents } from '../../web/src/view/view';
 import type { WorkerLike } from '../../web/src/worker/client';
-import type { FrameData, Request, Response } from '../../web/src/worker/protocol';
+import type { FrameData, OpenedNet, Request, Response } from '../../web/src/worker/protocol';
 import { Server } from '../../web/src/worker/server';
 import { load } from '../wasm/load';
 
@@ -194,4 +196,31 @@ test('a name with a comma is one cell', async () => {
 test('no two methods are drawn alike', () => {
   const styles = core.methods().map((_, style) => styleOf({ style }));
   expect(new Set(styles.map(({ colour, line }) => `${colour} ${line}`)).size).toBe(styles.length);
+});
+
+test('views beside the other that fit their nets to another up axis are not taken for turned by hand', () => {
+  type Camera = Parameters<ViewEvents['cameraMoved']>[0];
+  const [own, fitted, byHand] = [1, 2, 3].map((at): Camera => ({ position: [at, 0, 0], target: [0, 0, 0] }));
+  const moved: Camera[] = [];
+  const cameras: Camera[] = [];
+  let events!: ViewEvents;
+  const view = {
+    setAppearance: () => events.cameraMoved(fitted!),
+    setCamera: (camera: Camera) => cameras.push(camera),
+    setNet() {},
+    setFrame() {},
+    setHandles() {},
+  };
+  const create = (given: ViewEvents): View => {
+    events = given;
+    return view as unknown as View;
+  };
+  const beside = new Beside(create, (camera) => moved.push(camera));
+  const look = freshScene({ recipe }).view;
+  beside.show({} as OpenedNet, [{ handles: [] } as unknown as FrameData], look);
+  beside.setAppearance(look, () => own!);
+  expect(moved).toEqual([]);
+  expect(cameras).toEqual([own]);
+  events.cameraMoved(byHand!);
+  expect(moved).toEqual([byHand]);
 });

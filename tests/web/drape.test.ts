@@ -1,6 +1,8 @@
 /** Nets on surfaces, without a page: answers of the worker, what waits while it works, and the geometry of the seed. */
 import { describe, expect, test } from 'vitest';
 import type { Point } from '../../wasm/chebnet';
+import { guideTitle } from '../../web/src/document/changes';
+import { sentenceOf } from '../../web/src/document/naming';
 import { cellsOf, lengthOf } from '../../web/src/drape/cells';
 import type { Cut, DrapeRequest, DrapeResponse, Ray } from '../../web/src/drape/drape_protocol';
 import { Draper } from '../../web/src/drape/draper';
@@ -10,6 +12,7 @@ import { DrawnLine } from '../../web/src/drape/drawn_line';
 import { dot, laidInto, reference, turned, turnOf } from '../../web/src/drape/seed';
 import { proposedHandles } from '../../web/src/handles/proposal';
 import { dialogs } from '../../web/src/language/en/dialogs';
+import { panelWords } from '../../web/src/language/panels';
 import { load } from '../wasm/load';
 
 const core = await load();
@@ -574,6 +577,7 @@ test('of lines that are not followed it is said how far net lines are off', () =
   expect(kept(0, '0')).toBe('Net lines run along what is drawn.');
 });
 
-test('every surface of our own has its words', () => {
-  expect(Object.entries(dialogs.drape.own)).toEqual(core.ownSurfaces().map(({ name, title }) => [name, title]));
+test('every surface of our own has its words, in the history too', () => {
+  expect(Object.entries(panelWords.guide.own)).toEqual(core.ownSurfaces().map(({ name, title }) => [name, title]));
+  expect(sentenceOf(['guide', guideTitle({ own: 'shell' })])).toBe(panelWords.changes.guide('Free-form shell'));
 });

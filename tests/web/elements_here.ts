@@ -132,9 +132,9 @@ export class DocumentHere {
     return selector === 'canvas' ? this.canvas : null;
   }
 
-  /** What is hidden loses the focus. */
+  /** What is hidden or disabled loses the focus. */
   get activeElement(): ElementHere | null {
-    return this.#active?.isSeen ? this.#active : null;
+    return this.#active?.isSeen && !this.#active.disabled ? this.#active : null;
   }
 
   set activeElement(element: ElementHere) {

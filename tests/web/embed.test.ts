@@ -86,6 +86,7 @@ test.each([
   ['a point of many numbers', 'bad_arguments', 'move', [0, Array(1e6).fill(0)]],
   ['too many handles', 'bad_arguments', 'setHandles', [Array(10_001).fill({ vertex: 0 })]],
   ['an option that is an object', 'bad_arguments', 'setOptions', [{ threshold: {} }]],
+  ['more arguments than any call takes', 'bad_arguments', 'stats', Array(11).fill(0)],
   ['an event that is none', 'bad_arguments', 'on', ['click']],
 ])('%s is refused', async (_, code, call, args) => {
   expect(await ask(call, ...args)).toMatchObject({ id: 7, error: { code } });

@@ -4,7 +4,7 @@ import type { Mesh } from '../../wasm/chebnet';
 import type { GuideSource, HandleSeed, NetSource, UpAxis } from '../../web/src/document/document';
 import type { Subject } from '../../web/src/equalize/subject';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
-import { fileNameOf } from '../../web/src/document/file_name';
+import { fileNameOf } from '../../web/src/files/file_name';
 import { kindsFor, typeOf } from '../../web/src/export/kinds';
 import type { FileRequest, FileResponse, ReadStep } from '../../web/src/files/file_protocol';
 import type { FileWorkerLike } from '../../web/src/files/file_reading';
@@ -63,6 +63,8 @@ test('a file to be saved is named after what was opened', () => {
   const formats = core.formats();
   expect(fileNameOf({ recipe: 'dome:vertices=2000' }, 'ply', formats)).toBe('dome.ply');
   expect(fileNameOf({ obj: '', name: 'My scan.PLY' }, 'obj', formats)).toBe('My scan.obj');
+  for (const name of ['roof.glb', 'roof.gltf', 'roof.3DM'])
+    expect(fileNameOf({ obj: '', name }, 'obj', formats)).toBe('roof.obj');
   expect(fileNameOf({ obj: '', name: 'Dome 2.5' }, 'obj', formats)).toBe('Dome 2.5.obj');
   expect(fileNameOf({ obj: '', name: '.obj' }, 'csv', formats)).toBe('net.csv');
   expect(typeOf('png', formats)).toBe('image/png');

@@ -134,6 +134,15 @@ test('a move can be undone before the solver has taken it, and one that it refus
   expect(history).toMatchObject({ canUndo: false, canRedo: true });
 });
 
+test('what is selected before the solver has taken a new handle stays so', async () => {
+  editor.add(5);
+  expect(editor.choice.selection).toEqual([5]);
+  editor.select([7]);
+  await tick();
+  expect(vertices()).toContain(5);
+  expect(editor.choice.selection).toEqual([7]);
+});
+
 test('a change that is refused late takes back nothing that was done since', async () => {
   refuses = true;
   const moving = editor.move([{ vertex: 0, target: [0, 0, 1] }]);

@@ -3,12 +3,17 @@
 import type { Editors } from '../../wasm/chebnet';
 import { App } from '../../web/src/app/app';
 import type { AppParts, AppServices } from '../../web/src/app/app';
+import type { PanelEvents } from '../../web/src/panels';
 import type { WorkerLike } from '../../web/src/worker/client';
 import type { Request, Response } from '../../web/src/worker/protocol';
 import { Server } from '../../web/src/worker/server';
 
 export interface Page {
   app: App;
+  /** What panels can do. */
+  events: PanelEvents;
+  /** What the workers were asked for. */
+  asked: Request['type'][];
   /** What the user was told. */
   said: string[];
   /** Solves until nothing is left to be solved. */
@@ -22,12 +27,17 @@ export async function openPage(core: Editors, whole = core): Promise<Page> {
   const tasks: (() => void)[] = [];
   const workers: WorkerHere[] = [];
   const said: string[] = [];
+  const asked: Request['type'][] = [];
+  let events!: PanelEvents;
   const panels: unknown = Object.assign(Object.create(silent), { say: (message: string) => said.push(message) });
   const parts = {
     createView: () => Object.assign(Object.create(silent), { unframed: () => null, screenPositions: nowhere }),
     createBeside: () => silent,
-    createPanels: () => panels,
-    spawnWorker: () => workers[workers.push(new WorkerHere(core, whole, tasks)) - 1],
+    createPanels: (given: PanelEvents) => {
+      events = given;
+      return panels;
+    },
+    spawnWorker: () => workers[workers.push(new WorkerHere(core, whole, tasks, asked)) - 1],
   };
   const app = new App(parts as unknown as AppParts, {} as AppServices);
   const solve = async () => {
@@ -35,7 +45,7 @@ export async function openPage(core: Editors, whole = core): Promise<Page> {
   };
   const loseWorker = () => workers.at(-1)?.onerror?.({ message: 'lost' } as ErrorEvent);
   await app.start();
-  return { app, said, solve, loseWorker };
+  return { app, events, asked, said, solve, loseWorker };
 }
 
 const nowhere = (vertices: readonly number[]) => vertices.map(() => ({ x: 0, y: 0 }));
@@ -48,8 +58,10 @@ class WorkerHere implements WorkerLike {
   onerror: WorkerLike['onerror'] = null;
   onmessageerror: WorkerLike['onmessageerror'] = null;
   readonly #server: Server;
+  readonly #asked: Request['type'][];
 
-  constructor(core: Editors, whole: Editors, tasks: (() => void)[]) {
+  constructor(core: Editors, whole: Editors, tasks: (() => void)[], asked: Request['type'][]) {
+    this.#asked = asked;
     const post = (response: Response): void => {
       const data = structuredClone(response);
       queueMicrotask(() => this.onmessage?.({ data } as MessageEvent<Response>));
@@ -59,6 +71,7 @@ class WorkerHere implements WorkerLike {
   }
 
   postMessage(request: Request): void {
+    this.#asked.push(request.type);
     this.#server.handle(structuredClone(request));
   }
 

@@ -2,13 +2,17 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { App } from '../../web/src/app/app';
 import { newRun, type Run, type RunPlan } from '../../web/src/compare/run';
-import type { ChebnetDocument, HandleData } from '../../web/src/document/document';
+import type { ChebnetDocument, HandleData, Vec3 } from '../../web/src/document/document';
 import { FIGURES } from '../../web/src/experiments/figures';
 import type { NewNetResponse } from '../../web/src/experiments/new_net_protocol';
 import { texts } from '../../web/src/experiments/texts';
 import type { Choice, HandleCommands } from '../../web/src/handles/commands';
 import type { Snapping } from '../../web/src/handles/snapping';
+import { dialogWords } from '../../web/src/language/dialogs';
 import { panelWords } from '../../web/src/language/panels';
+import { DrapeCreases } from '../../web/src/dialogs/drape_creases';
+import { type CutEvents, DrapeCuts } from '../../web/src/dialogs/drape_cuts';
+import { DrapeMaker } from '../../web/src/dialogs/drape_maker';
 import { Hints } from '../../web/src/learn/hints';
 import { words } from '../../web/src/language/language';
 import { Messages } from '../../web/src/overlay/messages';
@@ -169,6 +173,52 @@ describe('what goes while it has the focus leaves it to the picture:', () => {
   });
 });
 
+describe('a button of the dialog for draping that goes when it is pressed leaves the focus', () => {
+  const TEXT = dialogWords.drape;
+  const press = (button: string): void => {
+    page.button(button).focus();
+    page.button(button).tell('click');
+  };
+  const line = { points: [[0, 0, 0] as Vec3, [1, 0, 0] as Vec3], path: Float64Array.of(0, 0, 0, 1, 0, 0) };
+
+  test('to the one in its place', () => {
+    const maker = new DrapeMaker({ begun: () => maker.setBusy(true), stopped: () => maker.setBusy(false) });
+    maker.show(true);
+    press(TEXT.make);
+    expect(page.activeElement).toBe(page.button(TEXT.stop));
+    press(TEXT.stop);
+    expect(page.activeElement).toBe(page.button(TEXT.make));
+  });
+
+  test('of cuts, to the one that draws others', () => {
+    const cuts = new DrapeCuts(SILENT as CutEvents);
+    const draw = page.button(TEXT.cuts.draw);
+    press(TEXT.cuts.propose);
+    expect(page.activeElement).toBe(draw);
+    cuts.setProposed([line], [0, 1]);
+    for (const button of ['undo', 'clear'] as const) {
+      press(TEXT.cuts[button]);
+      expect(page.activeElement).toBe(draw);
+      press(TEXT.cuts.propose);
+      cuts.setProposed([line], [0, 1]);
+    }
+  });
+
+  test('of creases, to the one that draws others', () => {
+    let revision = 0;
+    const events = { traceWanted: (_: unknown, of: number) => (revision = of), drawingChanged() {}, shown() {} };
+    const creases = new DrapeCreases(events);
+    creases.show(true);
+    press(TEXT.markedCreases.draw);
+    for (const point of line.points) creases.add(point);
+    creases.setTraced(line, revision);
+    press(TEXT.markedCreases.end);
+    expect(page.activeElement).toBe(page.button(TEXT.markedCreases.draw));
+    press(TEXT.markedCreases.undo);
+    expect(page.activeElement).toBe(page.button(TEXT.markedCreases.draw));
+  });
+});
+
 test('what a change would do is shown no longer than what is selected stays so', () => {
   const shown: { preview: readonly number[]; faded: boolean } = { preview: [], faded: false };
   const events = {
@@ -215,6 +265,30 @@ test('of edges that have grown, lengths are told in edges as they are now', () =
   steps.onFrame({ ...grown, trace, stepFrom: net.restPositions, positions: moved } as unknown as FrameData);
   steps.setFrame();
   expect(page.all('dd')[0]!.textContent).toBe('2');
+});
+
+test('a locality between the steps of its slider is told as it is, with the focus and after it', () => {
+  const previewed: unknown[] = [];
+  const previewLocality = (radius?: number): void => void previewed.push(radius);
+  const panel = new DragPanel(
+    Object.assign(Object.create(SILENT), { previewLocality }) as HandleCommands,
+    () => {},
+    () => {},
+  );
+  panel.setNet(net);
+  panel.setDocument({ locality: 30 } as ChebnetDocument);
+  const [slider, output] = ['input', 'output'].map((tag) => page.all(tag).at(-1)!);
+  const told = panelWords.drag.radius('30');
+  expect(output!.value).toBe(told);
+  slider!.focus();
+  slider!.tell('focus');
+  expect(output!.value).toBe(told);
+  Object.assign(slider!, { value: '1' }).tell('input');
+  expect(output!.value).not.toBe(told);
+  page.canvas.focus();
+  slider!.tell('blur');
+  expect(output!.value).toBe(told);
+  expect(previewed).toEqual([30, 11, undefined]);
 });
 
 test('while thousands of handles are dragged, none is looked for among all of them', () => {

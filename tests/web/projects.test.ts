@@ -1,7 +1,7 @@
 /** Projects: what goes in comes out to the last bit, and nothing else does. */
 import { describe, expect, test, vi } from 'vitest';
 import { ProjectRow } from '../../web/src/dialogs/project_row';
-import { asFileName } from '../../web/src/document/file_name';
+import { asFileName } from '../../web/src/files/file_name';
 import { type HandleData, LONGEST_PROJECT_NAME, type NetSource } from '../../web/src/document/document';
 import {
   checkSize,

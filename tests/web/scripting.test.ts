@@ -173,6 +173,40 @@ test('what is left out, or given as undefined, is as if nobody had spoken of it'
   expect(app.opening!.document.locality).toBeUndefined();
 });
 
+test('a locality is refused where no net is open, and the one that is set already is no change', async () => {
+  const { app } = await openPage(core);
+  const early = createScripting(app, Promise.resolve());
+  expect(await refusal(() => early.setLocality(3))).toMatchObject({ code: 'no_net' });
+
+  const { script, app: open } = await pageWithDome();
+  await script.setLocality(3);
+  await open.undo();
+  await script.setLocality(null);
+  expect(open.history.canRedo).toBe(true);
+});
+
+test('surfaces that are only looked at are so one at a time: each takes a core', async () => {
+  let [open, most] = [0, 0];
+  class WorkerHere {
+    onmessage: ((event: object) => void) | null = null;
+    constructor() {
+      open += 1;
+      most = Math.max(most, open);
+    }
+    postMessage(): void {
+      setTimeout(() => this.onmessage?.({ data: { type: 'opened', surface: { report: { area: 1 } } } }));
+    }
+    terminate(): void {
+      open -= 1;
+    }
+  }
+  vi.stubGlobal('Worker', WorkerHere);
+  const { script } = await pageWithDome();
+  const reports = await Promise.all([1, 2, 3].map(() => script.describe({ own: 'hypar' })));
+  expect(reports).toEqual([{ area: 1 }, { area: 1 }, { area: 1 }]);
+  expect([open, most]).toEqual([0, 1]);
+});
+
 test('calls that are sent together are carried out in this order, whatever each has to load first', async () => {
   const { script, solve } = await pageWithDome();
   const { vertex } = (script.handles() as { vertex: number }[]).at(-1)!;

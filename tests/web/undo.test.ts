@@ -2,7 +2,9 @@
 import { expect, test } from 'vitest';
 import { UndoHistory } from '../../web/src/document/undo';
 import type { Entry, Snapshot } from '../../web/src/document/undo';
+import { load } from '../wasm/load';
 import { documentAt } from './nets';
+import { openPage } from './page_without_pictures';
 
 const NET = { recipe: 'vault' };
 
@@ -171,4 +173,16 @@ test('a long history stays quick', () => {
   for (let i = 0; i < 3000; ++i) history.record(state(i, shared), `move ${i}`);
   expect(history.names).toHaveLength(3001);
   expect(history.goTo(0, state(3000, shared))?.handles[0]?.target[0]).toBe(0);
+});
+
+test('a behaviour that is undone before the solver has taken it is not solved for afterwards', async () => {
+  const { app, events, asked, solve } = await openPage(await load());
+  await app.openNet({ recipe: 'dome:vertices=100' });
+  await solve();
+  const { method, initialisation } = app.opening!.document;
+  events.setBehaviour({ method, initialisation, options: { length_scale: 1.1 } });
+  events.undo();
+  await solve();
+  expect(asked.filter((type) => type !== 'seen').slice(-3)).toEqual(['options', 'solve', 'restore']);
+  expect(app.opening!.document.options).toEqual({});
 });

@@ -4,7 +4,7 @@ import type { AppServices } from './app/app';
 import type { WantedChange } from './change/subject';
 import { download } from './files/download';
 import { dragged } from './files/dragged';
-import { fileNameOf } from './document/file_name';
+import { fileNameOf } from './files/file_name';
 import type { SaveRequest } from './export/kinds';
 import { filmExtension, filmType } from './export/film_type';
 import { pickFile } from './files/pick_file';

@@ -129,6 +129,8 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
     setLocality: (radius) =>
       change(async () => {
         const given = (await reading()).readLocality(argument('radius', radius));
+        // Where there is no net to be changed this fails; a control would do nothing.
+        app.netToChange();
         app.handles.setLocality(given ?? undefined);
       }),
     setGuide: (surface) =>

@@ -16,7 +16,7 @@ import { given } from './document/given';
 import type { Untrusted } from './document/untrusted';
 import { AskedDraper, type Watch } from './drape/asking';
 import { SUGGESTED_CELLS } from './drape/cells';
-import type { DrapedNet, DrapeSettings, PhaseTimes, SurfaceSource } from './drape/drape_protocol';
+import type { DrapedNet, DrapeSettings, PhaseTimes, ProposalSettings, SurfaceSource } from './drape/drape_protocol';
 import { proposedHandles } from './handles/proposal';
 import { Failure } from './failure';
 import { dialogWords } from './language/dialogs';
@@ -26,7 +26,7 @@ import { guideOf, readSurface } from './script_arguments';
 const [MOST_LINES, MOST_POINTS, MOST_MARKS] = [100, 1000, 1000];
 
 /** Without a length, about so many cells would cover the surface; without a seed, the net begins where the best of several trials
- *  does. */
+ *  does, which are in the direction, if one is given. */
 export type ScriptDrape = Partial<Omit<DrapeOptions, 'seed' | 'direction'>> & {
   seed?: Point;
   direction?: Point;
@@ -48,7 +48,7 @@ export type WholeReport = DrapeReport & {
 };
 
 export async function describe(given: Untrusted): Promise<SurfaceReport> {
-  return withSurface(surfaceOf(given), async (_, { report }) => report);
+  return look(surfaceOf(given), async (_, { report }) => report);
 }
 
 export async function drape(app: App, given: Untrusted, options: Untrusted): Promise<LaidReport> {
@@ -56,8 +56,9 @@ export async function drape(app: App, given: Untrusted, options: Untrusted): Pro
   const { seed, direction, length, cells = SUGGESTED_CELLS, cuts = [], ...rest } = readDrape(options);
   return withSurface(guide, async (draper, { report: { area } }) => {
     const how = { ...rest, length: length ?? Math.sqrt(area / cells) };
-    const begun = seed ? { seed, direction: [1, 0, 0] as Point } : await best(draper, how);
-    const uncut = { ...how, ...begun, ...(direction && { direction }), cuts: [] };
+    const directed = { ...how, ...(direction && { direction }) };
+    const begun = seed ? { seed, direction: [1, 0, 0] as Point } : await best(draper, directed);
+    const uncut = { ...begun, ...directed, cuts: [] };
     const along = cuts === 'proposed' ? await proposedCuts(draper, uncut) : cuts;
     const draped = await draper.ask({ type: 'drape', settings: { ...uncut, cuts: along } }, 'draped');
     const { locked, met, cutEnds, arms, pieces, bare } = draped;
@@ -92,7 +93,7 @@ export async function report(app: App): Promise<DrapeReport> {
     throw new Failure('bad_option', dialogWords.drape.noGuide);
   const { faceStart, faceVertices } = net;
   const mesh = { positions: Float64Array.from(frame.positions), faceStart, faceVertices };
-  return withSurface(guide, async (draper) => (await draper.ask({ type: 'measure', mesh }, 'measured')).report);
+  return look(guide, async (draper) => (await draper.ask({ type: 'measure', mesh }, 'measured')).report);
 }
 
 async function measured(draper: AskedDraper, { times }: Pick<DrapedNet, 'times'>) {
@@ -100,7 +101,7 @@ async function measured(draper: AskedDraper, { times }: Pick<DrapedNet, 'times'>
   return { report, milliseconds: { ...times, measure } };
 }
 
-async function best(draper: AskedDraper, settings: Omit<ScriptDrape, 'cells'> & { length: number }) {
+async function best(draper: AskedDraper, settings: ProposalSettings) {
   const { proposals } = await draper.ask({ type: 'propose', settings }, 'proposed');
   const { seed, direction } = proposals[0]!;
   return { seed, direction };
@@ -111,11 +112,20 @@ async function proposedCuts(draper: AskedDraper, settings: DrapeSettings): Promi
   return cuts.map(({ points }) => points);
 }
 
+type WithSurface<T> = (draper: AskedDraper, surface: { report: SurfaceReport }) => Promise<T>;
+
+/** Ends when the calls so far that change no net have. */
+let looked: Promise<unknown> = Promise.resolve();
+
+/** For such a call. They come one after another, as those that change the net do: many at once would take a core each. */
+function look<T>(guide: GuideSource, doing: WithSurface<T>): Promise<T> {
+  const looking = looked.then(() => withSurface(guide, doing));
+  looked = looking.catch(() => {});
+  return looking;
+}
+
 /** With a worker of its own, as long as that takes. */
-async function withSurface<T>(
-  guide: GuideSource,
-  doing: (draper: AskedDraper, surface: { report: SurfaceReport }) => Promise<T>,
-): Promise<T> {
+async function withSurface<T>(guide: GuideSource, doing: WithSurface<T>): Promise<T> {
   const source: SurfaceSource = 'own' in guide ? guide : { mesh: guide.mesh };
   const draper = new AskedDraper(new Worker(new URL('./drape/drape_worker.ts', import.meta.url), { type: 'module' }));
   try {

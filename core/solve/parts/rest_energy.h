@@ -15,8 +15,8 @@ namespace chebnet {
 
 class Guide;
 
-/// The energy that a net at rest has least of: bending of net lines and shear, both counted from a rest shape; its
-/// weight; closeness to a guide; the pull of soft handles.
+/// The energy that a net at rest has least of: bending of net lines and shear, both counted from a rest shape; tips at
+/// singular vertices; its weight; closeness to a guide; the pull of soft handles.
 class RestEnergy {
 public:
     /// Whether both options ask for the same energy, and for the same limit of the corners.

@@ -326,6 +326,12 @@ export class App {
     }
   }
 
+  /** The net is solved for them at once. Both are asked for together: what is done next, be it undo or stop, comes after both. */
+  async #behave(settings: SolverSettings, name?: ChangeName): Promise<void> {
+    this.#before();
+    await Promise.all([this.setOptions(settings, name), this.#client.solve()]);
+  }
+
   /** Those that a document has: usual ones need no place. */
   #unusual(options: SolverOptions): SolverOptions {
     const usual = new Map(this.#optionTable.map(({ name, value }) => [name, value]));
@@ -594,7 +600,7 @@ export class App {
       fade: (stays) => this.#presenter.view.setRegion(stays),
       takePen: (pen) => this.#presenter.view.takePen(pen),
       setOptions: (settings) => this.#attempt(this.setOptions(settings)),
-      setBehaviour: (settings, name) => this.#attempt(this.setOptions(settings, name).then(() => this.#client.solve())),
+      setBehaviour: (settings, name) => this.#attempt(this.#behave(settings, name)),
       adaptLengths: (progress) => this.adaptLengths(progress),
       setView: (change) => this.setView(change),
       putHandlesOnGuide: () => this.#attempt(this.putHandlesOnGuide()),

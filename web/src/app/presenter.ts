@@ -129,7 +129,7 @@ export class Presenter {
     const look = lookOf(document);
     this.#shownLimit = look.cornerLimit;
     this.view.setAppearance(look);
-    this.#beside.setAppearance(look);
+    this.#beside.setAppearance(look, () => this.view.camera());
   }
 
   // -------------------------------------------------------------------------------------------------- nets of a comparison

@@ -1,10 +1,10 @@
 /** The net to be changed, and the scene with what became of it. */
 import type { FormatInfo } from '../../../wasm/chebnet';
-import type { ChangeName } from '../document/naming';
+import { type ChangeName, textOf } from '../document/naming';
 import { remade, usualMethod } from '../document/defaults';
 import { guideTitle } from '../document/changes';
 import type { ChebnetDocument, GuideSource, Scene } from '../document/document';
-import { fileNameOf } from '../document/file_name';
+import { fileNameOf } from '../files/file_name';
 import type { Selection } from '../handles/selection';
 import type { Opening } from '../worker/opening';
 import type { DrawnSurface } from '../worker/protocol';
@@ -90,7 +90,7 @@ export function resizedGuide(
   { mesh, factor }: Pick<ChangeRequest, 'mesh' | 'factor'>,
 ): GuideSource {
   return {
-    name: guideTitle(guide),
+    name: textOf(guideTitle(guide)),
     mesh: {
       positions: scaled(positions, factor, centreOf(mesh.positions)),
       faceStart: Int32Array.from({ length: triangles.length / 3 + 1 }, (_, face) => 3 * face),

@@ -10,6 +10,8 @@ export class Beside {
   readonly #create: (events: ViewEvents, place: number) => View;
   readonly #cameraMoved: ViewEvents['cameraMoved'];
   #views: View[] = [];
+  /** They are given another look, in which each may fit its net anew: that is no hand. */
+  #areDressed = false;
 
   /** @param cameraMoved is told when a hand turns one of these views. */
   constructor(create: (events: ViewEvents, place: number) => View, cameraMoved: ViewEvents['cameraMoved']) {
@@ -29,8 +31,13 @@ export class Beside {
     });
   }
 
-  setAppearance(look: Look): void {
+  /** @param camera of the main view, which has that look already. */
+  setAppearance(look: Look, camera: () => Camera): void {
+    if (this.#views.length === 0) return;
+    this.#areDressed = true;
     for (const view of this.#views) view.setAppearance(look);
+    this.#areDressed = false;
+    this.setCamera(camera());
   }
 
   setCamera(camera: Camera): void {
@@ -46,7 +53,7 @@ export class Beside {
 
   #turned(turned: View, camera: Camera): void {
     // Not while it is being opened: it starts with the camera of the main view, which has yet to fit its smaller size.
-    if (!this.#views.includes(turned)) return;
+    if (!this.#views.includes(turned) || this.#areDressed) return;
     for (const view of this.#views) if (view !== turned) view.setCamera(camera);
     this.#cameraMoved(camera);
   }

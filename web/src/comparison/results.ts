@@ -7,6 +7,7 @@ import { savePicture } from './picture';
 import { ComparisonPlot, type CurveStyle, type LineStyle } from './plot';
 import { ComparisonTable } from './table';
 import { make, makeButton, setText } from '../elements/dom';
+import { setDisabled, setHidden } from '../elements/leave';
 import type { PanelEvents } from '../panels';
 import './results.css';
 
@@ -97,8 +98,8 @@ export class ComparisonResults {
     for (const plot of this.#plots) plot.setComparison(comparison);
     this.#refreshTable();
     setText(this.#words, progress(comparison));
-    this.#stop.disabled = !comparison.running;
     for (const button of this.#saves) button.disabled = comparison.running;
+    setDisabled(this.#stop, !comparison.running, this.#saves[0]);
   }
 
   #refreshTable(): void {
@@ -146,7 +147,7 @@ export class ComparisonResults {
     this.#events.cancelComparison();
     this.#events.showRun(null);
     this.#events.showBeside([]);
-    this.element.hidden = true;
+    setHidden(this.element, true);
   }
 }
 

@@ -3,6 +3,7 @@ import type { DrapeArms as Arms, DrapeOptions, Point } from '../../../wasm/chebn
 import type { Cut, Ray } from '../drape/drape_protocol';
 import { DrawnLine } from '../drape/drawn_line';
 import { make, makeButton, makeSelect, setText } from '../elements/dom';
+import { setHidden } from '../elements/leave';
 import { dialogWords } from '../language/dialogs';
 
 const TEXT = dialogWords.drape.arms;
@@ -148,8 +149,8 @@ export class DrapeArms {
   #show(): void {
     const { known } = this.#line;
     this.#draw.hidden = this.#wanted !== 'curve';
-    this.#end.hidden = known === null || known.points.length < 2;
-    this.#undo.hidden = known === null;
+    setHidden(this.#end, known === null || known.points.length < 2, this.#draw);
+    setHidden(this.#undo, known === null, this.#draw);
     setText(this.#words, this.#hint());
     const curve = this.#wanted === 'curve' ? this.#curve : null;
     this.#events.shown(known ?? curve, known?.points ?? []);

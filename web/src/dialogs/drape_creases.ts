@@ -3,6 +3,7 @@ import type { Point, RemeshOptions } from '../../../wasm/chebnet';
 import type { Cut, Ray, RemeshedNet } from '../drape/drape_protocol';
 import { DrawnLine } from '../drape/drawn_line';
 import { make, makeButton, setText } from '../elements/dom';
+import { setHidden } from '../elements/leave';
 import { dialogWords } from '../language/dialogs';
 import { small } from '../language/numbers';
 
@@ -141,10 +142,10 @@ export class DrapeCreases {
   #show(): void {
     const open = this.#line.known;
     const points = open?.points ?? [];
-    this.#end.hidden = points.length < 2;
-    this.#close.hidden = points.length < LEAST_CLOSED;
-    this.#undo.hidden = open === null && this.#creases.length === 0;
-    this.#clear.hidden = this.#creases.length === 0;
+    setHidden(this.#end, points.length < 2, this.#draw);
+    setHidden(this.#close, points.length < LEAST_CLOSED, this.#draw);
+    setHidden(this.#undo, open === null && this.#creases.length === 0, this.#draw);
+    setHidden(this.#clear, this.#creases.length === 0, this.#draw);
     if (this.element.hidden) this.#events.shown([], []);
     else this.#events.shown([...this.#creases, ...(open === null ? [] : [open])], points);
   }

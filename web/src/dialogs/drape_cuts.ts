@@ -3,6 +3,7 @@ import type { Point } from '../../../wasm/chebnet';
 import type { Cut, Ray } from '../drape/drape_protocol';
 import { DrawnLine } from '../drape/drawn_line';
 import { make, makeButton, setText } from '../elements/dom';
+import { setDisabled, setHidden } from '../elements/leave';
 import { dialogWords } from '../language/dialogs';
 import { percentWords } from './file_words';
 
@@ -159,7 +160,7 @@ export class DrapeCuts {
   }
 
   #wantProposals(): void {
-    this.#propose.disabled = true;
+    setDisabled(this.#propose, true, this.#draw);
     this.#proposed = this.#cuts;
     setText(this.#words, TEXT.proposing);
     this.#events.proposalsWanted();
@@ -172,11 +173,11 @@ export class DrapeCuts {
 
   #show(): void {
     const open = this.#line.known;
-    this.#end.hidden = open === null;
-    this.#toBorder.hidden = this.#borders + this.#cuts.length === 0;
-    this.#between.hidden = this.#borders < 2 || open !== null;
-    this.#undo.hidden = open === null && this.#cuts.length === 0;
-    this.#clear.hidden = this.#cuts.length === 0;
+    setHidden(this.#end, open === null, this.#draw);
+    setHidden(this.#toBorder, this.#borders + this.#cuts.length === 0, this.#draw);
+    setHidden(this.#between, this.#borders < 2 || open !== null, this.#draw);
+    setHidden(this.#undo, open === null && this.#cuts.length === 0, this.#draw);
+    setHidden(this.#clear, this.#cuts.length === 0, this.#draw);
     this.#events.shown([...this.#cuts, ...(open === null ? [] : [open])], open?.points ?? []);
   }
 }

@@ -272,7 +272,9 @@ export class DrapeDialog implements DraperLike {
     this.#maker.setReady(true);
     if (!this.#form.isWhole) this.#results.expectNet();
     this.#proposedFor = this.#proposable();
-    this.#draping.propose(this.#form.read());
+    // In the best direction: that of the form is of the net before.
+    const { direction: _, ...settings } = this.#form.read();
+    this.#draping.propose(settings);
   }
 
   #onProposed(proposals: Proposal[]): void {

@@ -6,6 +6,7 @@ import { turned, turnOf } from '../drape/seed';
 import { make, makeSelect, makeSwitch, setText, setValue } from '../elements/dom';
 import { NumberField } from '../elements/number_field';
 import { dialogWords } from '../language/dialogs';
+import { panelWords } from '../language/panels';
 import { count, lengthDigits } from '../language/numbers';
 
 const TEXT = dialogWords.drape;
@@ -98,7 +99,7 @@ export class DrapeForm {
    *  @param arms what is set of a piece beside its angle. */
   constructor(name: string | null, arms: HTMLElement, events: FormEvents) {
     this.#events = events;
-    const choices = Object.entries(TEXT.own).map(([value, text]) => ({ value, text }));
+    const choices = Object.entries(panelWords.guide.own).map(([value, text]) => ({ value, text }));
     const all = [...(name === null ? [] : [{ value: '', text: name }]), ...choices];
     const surfaces = makeSelect(TEXT.surface, all, (value) => events.surfaceChosen(value || null));
     this.#kinds = makeSelect(

@@ -2,6 +2,7 @@
 import type { RemeshPhase } from '../../../wasm/chebnet';
 import { partDone } from '../drape/phases';
 import { make, makeButton, setText } from '../elements/dom';
+import { setHidden } from '../elements/leave';
 import { dialogWords } from '../language/dialogs';
 
 const TEXT = dialogWords.drape;
@@ -40,8 +41,9 @@ export class DrapeMaker {
   }
 
   setBusy(busy: boolean): void {
-    this.#make.hidden = busy;
-    this.#stop.hidden = !busy;
+    const [comes, goes] = busy ? [this.#stop, this.#make] : [this.#make, this.#stop];
+    comes.hidden = false;
+    setHidden(goes, true, comes);
     this.#row.hidden = !busy;
     if (!busy) return;
     this.#progress.value = 0;

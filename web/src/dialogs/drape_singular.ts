@@ -4,6 +4,7 @@ import type { Point, RemeshOptions, SurfacePlace } from '../../../wasm/chebnet';
 import type { Ray, RemeshedNet, ShownSurface } from '../drape/drape_protocol';
 import type { ForbiddenDisc, SingularDot, SingularMarks } from '../drape/singular_dots';
 import { make, makeButton, makeSelect, makeSwitch, setText } from '../elements/dom';
+import { setDisabled, setHidden } from '../elements/leave';
 import { dialogWords } from '../language/dialogs';
 
 const TEXT = dialogWords.drape.singularWishes;
@@ -329,11 +330,11 @@ export class DrapeSingular {
       ...names.map((name, i) => make('option', { value: i }, name)),
     );
     this.#list.value = this.#selected === null ? '' : String(this.#selected);
-    this.#remove.disabled = this.#selected === null;
-    this.#undo.disabled = this.#before.length === 0;
+    setDisabled(this.#remove, this.#selected === null, this.#list);
+    setDisabled(this.#undo, this.#before.length === 0, this.#list);
     const isDisc = this.#selected !== null && this.#selected >= dots.length;
-    this.#valence.row.hidden = this.#tool !== 'add' && (this.#selected === null || isDisc);
-    this.#radius.row.hidden = this.#tool !== 'forbid' && !isDisc;
+    setHidden(this.#valence.row, this.#tool !== 'add' && (this.#selected === null || isDisc), this.#list);
+    setHidden(this.#radius.row, this.#tool !== 'forbid' && !isDisc, this.#list);
     this.#only.box.checked = only;
     this.#showBalance();
     this.#events.shown(

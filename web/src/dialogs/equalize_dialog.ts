@@ -8,6 +8,7 @@ import { Equalizing } from '../equalize/equalizing';
 import type { EqualizeWorkerLike } from '../equalize/equalizing';
 import type { Equalized, Subject } from '../equalize/subject';
 import { guideTitle } from '../document/changes';
+import { textOf } from '../document/naming';
 import { MOST_VERTICES_AT_REST } from '../document/defaults';
 import type { ViewState } from '../document/document';
 import type { EqualizerEnd, EqualizerLike } from './file_opener';
@@ -70,7 +71,7 @@ export class EqualizeDialog implements EqualizerLike {
     this.#before = { positions, length: meanLength(positions, net) };
     // Larger nets take minutes to come near a surface.
     const isNear = positions.length / 3 <= MOST_VERTICES_AT_REST;
-    const surface = guide ? guideTitle(guide) : null;
+    const surface = guide ? textOf(guideTitle(guide)) : null;
     this.#form = new EqualizeForm(this.#before.length, handles.length, isNear, surface, () => this.#forget());
     const picture = make('div', { class: 'picture' });
     const heading = make('h2', { id: 'equalize-title' }, TEXT.title(name));

@@ -32,9 +32,9 @@ export interface NamedChange {
   key: string | null;
 }
 
-/** Of a surface beside the net. */
-export function guideTitle(guide: GuideSource): string {
-  return 'own' in guide ? guide.own : guide.name;
+/** Of a surface beside the net: a file by its name. */
+export function guideTitle(guide: GuideSource): Term {
+  return 'own' in guide ? { surface: guide.own } : guide.name;
 }
 
 /** Another net; or the same shape with other parameters, as a slider gives one after another. */

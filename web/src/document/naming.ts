@@ -29,6 +29,8 @@ const SETTINGS = new Map<string, { label: string; textOf(value: string): string 
 
 const KINDS = {
   shape: words.core.shape,
+  /** One of the core's own. */
+  surface: (name: string) => panelWords.guide.own[name as keyof typeof panelWords.guide.own] ?? name,
   method: words.core.method,
   option: (name: string) => SETTINGS.get(name)?.label ?? panelWords.solver.optionName(name),
   behaviour: (name: string) => words.behaviour.choices[name as keyof typeof words.behaviour.choices] ?? name,

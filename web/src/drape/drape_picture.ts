@@ -252,6 +252,8 @@ class DrapePicture implements Picture {
   }
 
   setMarks(marks: SingularMarks): void {
+    // Undone, or with another one chosen, the way of a mark by keys is at its end.
+    if (marks.selected !== this.#dots.marks.selected) this.#aim = null;
     this.#dots.set(marks);
     this.#requestDraw();
   }
@@ -428,7 +430,7 @@ class DrapePicture implements Picture {
     const arrow = ARROW_KEYS[event.key];
     if (event.key === 'Delete' || event.key === 'Backspace') this.#events.markRemoved();
     else if (arrow) {
-      this.#events.markTaken();
+      if (!this.#goesOn(selected, event)) this.#events.markTaken();
       this.#events.markMoved(selected, this.#beside(selected, mark.place.position, arrow, event));
     } else return false;
     event.preventDefault();
@@ -436,19 +438,18 @@ class DrapePicture implements Picture {
   }
 
   /** A step of an arrow key away: from where the key before led, if it was pressed just now, for the mark may not be there yet. */
-  #beside(
-    mark: number | null,
-    position: Point,
-    arrow: readonly [number, number],
-    { shiftKey, timeStamp: time }: KeyboardEvent,
-  ): Ray {
-    const step = shiftKey ? STEP.big : STEP.small;
-    const before = this.#aim;
-    const goesOn = before !== null && before.mark === mark && time - before.time < STEP.together;
-    const { x, y } = goesOn ? before.at : toScreen(this.#projection(), this.#scenePoint(position));
+  #beside(mark: number | null, position: Point, arrow: readonly [number, number], event: KeyboardEvent): Ray {
+    const step = event.shiftKey ? STEP.big : STEP.small;
+    const { x, y } = this.#goesOn(mark, event)?.at ?? toScreen(this.#projection(), this.#scenePoint(position));
     const at = { x: x + step * arrow[0], y: y + step * arrow[1] };
-    this.#aim = { mark, at, time };
+    this.#aim = { mark, at, time: event.timeStamp };
     return this.#rayThrough(at);
+  }
+
+  /** Where the key before led, if this one leads the same mark on; null: it begins a way of its own. */
+  #goesOn(mark: number | null, { timeStamp }: KeyboardEvent): { at: Place } | null {
+    const before = this.#aim;
+    return before !== null && before.mark === mark && timeStamp - before.time < STEP.together ? before : null;
   }
 
   #middle(): Place {

@@ -42,8 +42,9 @@ export interface DrapeSettings extends Omit<DrapeOptions, 'seed'> {
   cuts: Point[][];
 }
 
-/** How nets are to be laid whose beginnings are looked for. */
-export type ProposalSettings = Omit<DrapeSettings, 'seed' | 'direction' | 'cuts'>;
+/** How nets are to be laid whose beginnings are looked for; with a direction, in that one. */
+export type ProposalSettings = Omit<DrapeSettings, 'seed' | 'direction' | 'cuts'> &
+  Partial<Pick<DrapeSettings, 'direction'>>;
 
 /** A cut that is being drawn, or has been. */
 export interface Cut {

@@ -14,6 +14,12 @@ export function setHidden(element: HTMLElement, isHidden: boolean, to?: HTMLElem
   element.hidden = isHidden;
 }
 
+/** @param to likewise. */
+export function setDisabled(button: HTMLButtonElement, isDisabled: boolean, to?: HTMLElement): void {
+  if (isDisabled) leave(button, to);
+  button.disabled = isDisabled;
+}
+
 export function takeAway(element: Element): void {
   leave(element);
   element.remove();

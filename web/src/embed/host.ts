@@ -19,6 +19,8 @@ import type { Answer, CallName, EmbedEvent, HostCall, HostFailure, News } from '
 /** Calls of a host that have no answer yet. */
 const MOST_UNANSWERED = 100;
 const LONGEST_ID = 64;
+/** Of a call. Those that it does not take are ignored. */
+const MOST_ARGUMENTS = 10;
 const LONGEST_OBJ = 20e6;
 const MOST_HANDLES = 10_000;
 const MOST_OF_SURFACE = 100_000;
@@ -73,7 +75,7 @@ export class Host {
 
   async #run({ call, args = [] }: HostCall): Promise<unknown> {
     if (!Object.hasOwn(this.#calls, call)) throw new Failure('unknown_call', 'there is no such call');
-    const given = new Untrusted(args, 'args', BAD_ARGUMENTS).list();
+    const given = new Untrusted(args, 'args', BAD_ARGUMENTS).list(MOST_ARGUMENTS);
     const argument = (i: number) => given[i] ?? new Untrusted(undefined, `args[${i}]`, BAD_ARGUMENTS);
     if (this.#unanswered >= MOST_UNANSWERED)
       throw new Failure('busy', `${MOST_UNANSWERED} calls wait for their answers`);

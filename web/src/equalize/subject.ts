@@ -2,7 +2,7 @@
 import type { FormatInfo, Mesh } from '../../../wasm/chebnet';
 import { remade } from '../document/defaults';
 import type { ChebnetDocument, GuideSource, Scene } from '../document/document';
-import { fileNameOf } from '../document/file_name';
+import { fileNameOf } from '../files/file_name';
 import type { OpenedNet } from '../worker/protocol';
 
 export interface Subject {

@@ -1,7 +1,7 @@
 /** Saves the net that is open as a file of some kind. */
 import type { FlatPattern, FormatInfo, PatternFault, VertexLists } from '../../../wasm/chebnet';
 import { lookOf } from '../document/document';
-import { baseNameOf, fileNameOf } from '../document/file_name';
+import { baseNameOf, fileNameOf } from '../files/file_name';
 import { fieldOf, scaleOf } from '../fields/fields';
 import { download } from '../files/download';
 import { panelWords } from '../language/panels';

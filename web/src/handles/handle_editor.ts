@@ -139,12 +139,19 @@ export class HandleEditor implements HandleCommands {
   // --------------------------------------------------------------------------------------------------------- which ones
 
   /** Replaces the handles.
-   *  @param name what the history calls it. */
-  async set(handles: readonly HandleData[], name: ChangeName = ['handles']): Promise<void> {
+   *  @param name what the history calls it.
+   *  @param selection of these. */
+  async set(
+    handles: readonly HandleData[],
+    name: ChangeName = ['handles'],
+    selection = this.#selection,
+  ): Promise<void> {
     const before = this.#host.before();
     const after = [...handles];
     this.#history.record(before, name);
     this.#host.change({ handles: after });
+    // At once: others may be selected before the solver has taken them.
+    this.select(selection);
     try {
       await this.#client.setHandles(targetsOf(handles));
     } catch (error) {
@@ -233,8 +240,8 @@ export class HandleEditor implements HandleCommands {
         ...(name !== undefined && { name }),
       }),
     );
-    if (added.length > 0) await this.set([...before, ...added], ['add', this.#titleOf(added)]);
-    this.select(selection);
+    if (added.length === 0) return this.select(selection);
+    await this.set([...before, ...added], ['add', this.#titleOf(added)], selection);
   }
 
   // --------------------------------------------------------------------------------------------------------- what they are
@@ -331,7 +338,7 @@ export class HandleEditor implements HandleCommands {
   #changeDocument(change: Partial<ChebnetDocument>, name: ChangeName, key: string | null = null): void {
     const before = this.#host.beforeIfAny();
     // Controls show again what is.
-    if (before === null) return this.#host.choiceChanged();
+    if (before === null || isPartOf(before, change)) return this.#host.choiceChanged();
     this.#history.record(before, name, key);
     this.#host.change(change);
   }
@@ -555,6 +562,10 @@ export class HandleEditor implements HandleCommands {
     }
     return this.#mirror.mirror;
   }
+}
+
+function isPartOf(document: Snapshot, change: Partial<Snapshot>): boolean {
+  return Object.entries(change).every(([name, value]) => document[name as keyof Snapshot] === value);
 }
 
 /** A whole number where it is one but for rounding. */

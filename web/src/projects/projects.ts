@@ -2,7 +2,7 @@
 import type { App } from '../app/app';
 import { defaultScene } from '../document/defaults';
 import { download } from '../files/download';
-import { asFileName, baseNameOf } from '../document/file_name';
+import { asFileName, baseNameOf } from '../files/file_name';
 import { words } from '../language/language';
 import { lazy } from '../lazy';
 import { isCancelled } from '../worker/client';

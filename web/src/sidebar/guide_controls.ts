@@ -1,6 +1,7 @@
 /** The surface beside the net: what it does to it and how strongly, whether it is shown, and taking it away. */
 import type { ChebnetDocument, SolverOptions } from '../document/document';
-import type { ChangeName } from '../document/naming';
+import { guideTitle } from '../document/changes';
+import { type ChangeName, textOf } from '../document/naming';
 import { make, makeButton, makeSelect, makeSwitch, setText, setValue } from '../elements/dom';
 import { panelWords } from '../language/panels';
 import { makeSlider } from './slider';
@@ -54,7 +55,7 @@ export class GuideControls {
   set({ guide, options, view }: ChebnetDocument, usual: SolverOptions, acts: boolean): void {
     if (guide === undefined) return;
     this.#usualWeight = Number(usual.guide_weight ?? 1);
-    const title = TEXT.title('own' in guide ? guide.own : guide.name);
+    const title = TEXT.title(textOf(guideTitle(guide)));
     setText(this.#title, title);
     this.element.setAttribute('aria-label', title);
     setValue(this.#mode.select, String(options.guide_mode ?? usual.guide_mode ?? 1));

@@ -40,8 +40,12 @@ export class RadiusSlider {
     this.#slider.title = hint;
     this.row = make('label', { class: `slider ${name}` }, make('span', {}, label), this.#slider, this.#output);
     this.#slider.addEventListener('input', () => this.#adjust());
-    this.#slider.addEventListener('focus', () => this.#adjust());
-    this.#slider.addEventListener('blur', () => events.preview(undefined));
+    // What is set, which may lie between steps.
+    this.#slider.addEventListener('focus', () => events.preview(this.#shown));
+    this.#slider.addEventListener('blur', () => {
+      events.preview(undefined);
+      this.update(this.#shown);
+    });
     this.#slider.addEventListener('change', () => this.#choose());
     this.#write(undefined);
   }

@@ -103,14 +103,6 @@ export const dialogs = {
     howTo: 'Drag the sphere to begin the net elsewhere, the ring beside it to turn the net.',
     surface: 'Surface',
     fromFile: 'A file of yours…',
-    /** The core's own surfaces, by their names. */
-    own: {
-      shell: 'Free-form shell',
-      hypar: 'Hypar',
-      hemisphere: 'Hemisphere',
-      torso: 'Torso',
-      pebble: 'Pebble',
-    },
     kind: 'Net',
     kinds: { piece: 'One piece', whole: 'The whole surface' },
     make: 'Make the net',

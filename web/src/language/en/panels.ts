@@ -119,6 +119,14 @@ export const panels = {
   },
   guide: {
     title: (surface: string) => `Surface: ${surface}`,
+    /** The core's own surfaces, by their names. */
+    own: {
+      shell: 'Free-form shell',
+      hypar: 'Hypar',
+      hemisphere: 'Hemisphere',
+      torso: 'Torso',
+      pebble: 'Pebble',
+    },
     mode: 'Keeps the net',
     modes: ['free', 'near it', 'on it', 'outside of it'],
     weight: 'How strongly',

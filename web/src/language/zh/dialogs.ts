@@ -116,13 +116,6 @@ export const dialogs: Widened<typeof en> = {
     howTo: '拖动圆球，网便从别处开始；拖动旁边的圆环可转动网。',
     surface: '曲面',
     fromFile: '打开自己的文件…',
-    own: {
-      shell: '自由曲面壳',
-      hypar: '双曲抛物面',
-      hemisphere: '半球',
-      torso: '躯干',
-      pebble: '卵石',
-    },
     kind: '网的类型',
     kinds: { piece: '一张网', whole: '覆盖整个曲面' },
     make: '生成网',

@@ -330,6 +330,13 @@ export const panels: Widened<typeof en> = {
   },
   guide: {
     title: (surface) => `曲面：${surface}`,
+    own: {
+      shell: '自由曲面壳',
+      hypar: '双曲抛物面',
+      hemisphere: '半球',
+      torso: '躯干',
+      pebble: '卵石',
+    },
     mode: '使网',
     modes: ['自由', '贴近曲面', '紧贴曲面', '留在曲面外侧'],
     weight: '强度',

@@ -1,6 +1,7 @@
 /** How the files of a net are called. */
 import type { FormatInfo } from '../../../wasm/chebnet';
-import type { NetSource } from './document';
+import type { NetSource } from '../document/document';
+import { MODEL_FORMATS } from './model_formats';
 
 /** After the shape of a recipe or the file that was opened. */
 export function baseNameOf(net: NetSource, formats: readonly FormatInfo[]): string {
@@ -20,6 +21,7 @@ export function asFileName(title: string): string {
 }
 
 function withoutExtension(file: string, formats: readonly FormatInfo[]): string {
-  const ending = formats.map(({ name }) => `.${name}`).find((each) => file.toLowerCase().endsWith(each));
+  const extensions = [...formats.map(({ name }) => name), ...MODEL_FORMATS.flatMap((format) => format.extensions)];
+  const ending = extensions.map((each) => `.${each}`).find((each) => file.toLowerCase().endsWith(each));
   return ending ? file.slice(0, -ending.length) : file;
 }
