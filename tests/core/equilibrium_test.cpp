@@ -128,7 +128,7 @@ TEST_CASE("The shape of rest is that of the threshold of now, whatever it was be
     const Net net(samples::shaken(even.rest_positions(), 0.05, random), even.faces(), RestLengths::equal);
     const auto at_home = [&](const std::vector<const char*>& thresholds) {
         Editor editor(net);
-        editor.set_handles(samples::handles_at_rest(net, {0, 71}));
+        editor.set_handles(samples::handles_at_rest(net, {0, 8, 71}));
         for (const char* threshold : thresholds) {
             editor.set_option("threshold", threshold);
             editor.move_handle(71, net.rest_positions().col(71) + Eigen::Vector3d(-1, 0, 1));
