@@ -61,6 +61,19 @@ int singular_count(const Net& net) {
     return sum;
 }
 
+/// Two pieces, of which the other one is moved.
+Mesh beside(Mesh mesh, const Mesh& other, const Eigen::Vector3d& move) {
+    const auto count = mesh.positions.cols();
+    mesh.positions.conservativeResize(3, count + other.positions.cols());
+    mesh.positions.rightCols(other.positions.cols()) = other.positions.colwise() + move;
+    for (int f = 0; f < other.faces.size(); ++f) {
+        std::vector<int> face(other.faces[f].begin(), other.faces[f].end());
+        for (int& v : face) v += static_cast<int>(count);
+        mesh.faces.add(face);
+    }
+    return mesh;
+}
+
 /// A net over the whole of it, with all that is promised.
 Remesh remeshed(const Surface& surface, const RemeshOptions& options, int characteristic) {
     const auto guide = std::make_shared<const Guide>(surface);
@@ -439,17 +452,8 @@ TEST_CASE("No tail of one or two cells hangs at the border, a narrow part of a s
 }
 
 TEST_CASE("All pieces of a surface are covered") {
-    Mesh mesh = samples::sphere(8);
-    const Mesh other = mesh;
-    const int count = static_cast<int>(mesh.positions.cols());
-    mesh.positions.conservativeResize(3, 2 * count);
-    mesh.positions.rightCols(count) = other.positions.colwise() + Eigen::Vector3d(3, 0, 0);
-    for (int f = 0; f < other.faces.size(); ++f) {
-        std::vector<int> face(other.faces[f].begin(), other.faces[f].end());
-        for (int& v : face) v += count;
-        mesh.faces.add(face);
-    }
-    CHECK(Topology(remeshed(Surface(mesh), of_cells(600), 4).net).component_count() == 2);
+    const Surface spheres(beside(samples::sphere(8), samples::sphere(8), {3, 0, 0}));
+    CHECK(Topology(remeshed(spheres, of_cells(600), 4).net).component_count() == 2);
 }
 
 TEST_CASE("The length and the limit of corners are kept where they are given") {
@@ -1081,6 +1085,8 @@ TEST_CASE("Wishes that cannot be kept are refused, with what is missing") {
     const WishedSingular at_top{{0, 0, 1}, 3};
     CHECK_THROWS_WITH(refusal(sphere, {{at_top}, {}, true})(), Contains("7 more of valence 3 are missing"));
     CHECK_THROWS_WITH(refusal(sphere, {{9, at_top}, {}, true})(), Contains("1 more of valence 5 is missing"));
+    const Guide spheres(Surface(beside(samples::sphere(4), samples::sphere(4), {3, 0, 0})));
+    CHECK_THROWS_WITH(refusal(spheres, {{}, {}, true})(), Contains("piece 1 of the surface: 8 more"));
     CHECK_NOTHROW(refusal(hypar, {{at_top}, {}, true})());
     CHECK_THROWS_WITH(refusal(sphere, {{{{0, 0, 1}, 4}}, {}, false})(), Contains("valence 4; it must be 3, 5 or 6"));
     CHECK_THROWS_WITH(refusal(sphere, {{{{0, 0, NAN}, 3}}, {}, false})(), Contains("finite"));
