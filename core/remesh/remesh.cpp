@@ -591,6 +591,7 @@ private:
         std::optional<Remesh> made;
         int missed = std::numeric_limits<int>::max();
         double cost = std::numeric_limits<double>::infinity();
+        std::exception_ptr failure{};  // why none was made
 
         bool is_good() const { return missed == 0 && cost <= k_good_cost; }
         auto rank() const { return std::pair(missed, cost); }
@@ -638,7 +639,10 @@ private:
             trial = made(trial.way, m_options, m_progress);
         else if (m_progress)
             m_progress(RemeshPhase::fit, 1);
-        if (!trial.made) return;
+        if (!trial.made) {
+            if (!m_failure) m_failure = trial.failure;
+            return;
+        }
         ++m_finals;
         std::array<double, k_remesh_phases>& own = trial.made->milliseconds;
         own[static_cast<int>(RemeshPhase::border)] =
@@ -655,7 +659,7 @@ private:
             try {
                 trial.made = Remesher(m_guide, options, progress).run();
             } catch (const Error&) {
-                if (!m_failure) m_failure = std::current_exception();
+                trial.failure = std::current_exception();
             }
         } else {
             trial.made = made_in_one_piece(options, progress);
@@ -700,7 +704,7 @@ private:
     std::vector<Trial> m_trials;
     int m_finals = 0;              // nets made as asked for
     Trial m_finished;              // the best of those made as asked for
-    std::exception_ptr m_failure;  // the first
+    std::exception_ptr m_failure;  // of the first that did not come about as asked for
 };
 
 /** Refuses `number` unless it is from 0 to `most`, with the sentence that says so. */

@@ -1101,6 +1101,18 @@ TEST_CASE("Wishes that cannot be kept are refused, with what is missing") {
                       Contains("no place of its own"));
 }
 
+TEST_CASE("Why there is no net is said of the cells asked for, not of the larger ones that ways were tried with",
+          "[large]") {
+    // Wishes that have places of their own between cells as small as asked for only, and others that never have.
+    RemeshOptions options = of_cells(6000);
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 12; ++j) options.singular.vertices.push_back({{-0.5 + 0.03 * i, 0.03 * j, 0}, 5});
+    const WishedSingular never{{0.5, 0.5, 0}, 5};
+    options.singular.vertices.insert(options.singular.vertices.end(), 40, never);
+    CHECK_THROWS_WITH(remesh(std::make_shared<const Guide>(Surface(samples::plane(41, 1))), options),
+                      Contains("at 0.5 0.5 0 has no place"));
+}
+
 TEST_CASE("A map that folds over still gives quads without gaps") {
     const Surface plane(samples::plane(9, 1));
     const DirectionField field = smoothest_field(plane, {});
