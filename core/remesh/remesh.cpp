@@ -89,7 +89,6 @@ constexpr double k_open_angle = 40 * std::numbers::pi / 180;
 constexpr double k_largest_cell = 1e15;
 // With more the grid takes too long, and would not be worth much.
 constexpr int k_most_singular_vertices = 600;
-constexpr double k_angle_tolerance = 1e-3;
 // A surface whose triangles are inclined by more than this to those of the surface that is smoothed over a cell is
 // rough, in radians, on average. What is larger than cells of so many is shape rather than noise.
 constexpr double k_rough_tilt = 7 * std::numbers::pi / 180, k_fewest_smoothing_cells = 1500;
@@ -244,7 +243,7 @@ private:
         if (!net) return false;
         const DrapeReport report = measure_drape(m_surface, m_guide->tree(), *net);
         const double farthest = m_options.fewest ? k_fewest_distance : k_none_distance;
-        if (report.smallest_angle < m_options.smallest_angle - k_angle_tolerance ||
+        if (report.smallest_angle < m_options.smallest_angle - k_limit_tolerance ||
             report.mean_distance > farthest * report.length)
             return false;
         return is_smooth(*net, usual);
@@ -331,7 +330,7 @@ private:
 
     bool keeps_limit(const Found& found) const {
         const double smallest = corner_angle_range(found.net, found.net.rest_positions()).smallest;
-        return smallest >= m_options.smallest_angle - k_angle_tolerance;
+        return smallest >= m_options.smallest_angle - k_limit_tolerance;
     }
 
     /// Whether the last net found is as it should be.
@@ -763,7 +762,7 @@ Remesh remesh(const std::shared_ptr<const Guide>& guide, const RemeshOptions& op
     Mesh rows = in_rows({made.net.rest_positions(), made.net.faces()});
     made.net = Net(std::move(rows.positions), std::move(rows.faces), RestLengths::equal);
     made.singular = singular_vertices(made.net);
-    made.sharp_quads = sharp_quads(made.net, made.net.rest_positions(), options.smallest_angle - k_angle_tolerance);
+    made.sharp_quads = sharp_quads(made.net, made.net.rest_positions(), options.smallest_angle - k_limit_tolerance);
     return made;
 }
 
