@@ -35,6 +35,7 @@
 #include "remesh/fewer_singular.h"
 #include "remesh/grid_map.h"
 #include "remesh/integers.h"
+#include "remesh/one_piece.h"
 #include "remesh/pinholes.h"
 #include "remesh/rows.h"
 #include "sample_nets.h"
@@ -883,6 +884,16 @@ TEST_CASE("The distance of borders is measured between them, whatever lies withi
     const Net net(lifted.positions, lifted.faces, RestLengths::own);
     CHECK(border_distance(Surface(square(0)), net) == Approx(0.25));
     CHECK(border_distance(Surface(samples::sphere(4)), net) == 0);
+}
+
+TEST_CASE("Without a limit of corners a net in one piece is tried as well") {
+    const Surface hill(samples::graph(21, 1, [](double x, double y) { return 0.8 * std::exp(-4 * (x * x + y * y)); }));
+    const SurfaceTree tree(hill);
+    for (const double limit : {0.0, 1e-4}) {
+        const std::optional<Net> net = one_piece(hill, tree, 100, 0, limit);
+        REQUIRE(net);
+        CHECK(net->face_count() > 80);
+    }
 }
 
 TEST_CASE("Ways to end at a border are tried first, and then a net is made once", "[large]") {
