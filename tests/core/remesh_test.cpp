@@ -875,6 +875,15 @@ TEST_CASE("A hole that is smaller than a cell is covered, and a larger one stays
     CHECK(!without_pinholes(large, 1.001 * around));
 }
 
+TEST_CASE("The border around a piece that is smaller than a cell is none of a hole") {
+    // A square of cells of length 0.5 nearly, and a scrap of it.
+    const Surface both(beside(samples::plane(11, 5), samples::plane(3, 0.245), {7, 0, 0}));
+    CHECK(!without_pinholes(both, 2));
+    const Net net = remesh(std::make_shared<const Guide>(both), of_cells(400)).net;
+    CHECK(Topology(net).component_count() == 2);
+    CHECK(Topology(net).boundary_loops().size() == 2);
+}
+
 TEST_CASE("The distance of borders is measured between them, whatever lies within") {
     const auto square = [](double height) {
         return samples::graph(
