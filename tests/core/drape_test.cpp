@@ -569,6 +569,24 @@ TEST_CASE("Sharp corners are opened on the surface, and nothing else is moved") 
     CHECK(heights_over(*guide, *opened).cwiseAbs().maxCoeff() < 1e-12);
 }
 
+TEST_CASE("Corners are opened far from the origin, and of very small nets, as of others") {
+    const Mesh net = samples::quads(9, 9, false, false,
+                                    [](int i, int j) { return Eigen::Vector3d(0.05 * (i + 0.94 * j), 0.017 * j, 0); });
+    const auto is_opened = [&](double unit, double far) {
+        const auto moved = [=](Mesh mesh) {
+            mesh.positions = unit * mesh.positions;
+            mesh.positions.row(1).array() += far;
+            return mesh;
+        };
+        const Guide plane(Surface(moved(samples::plane(9, 1))));
+        const Net sharp(moved(net).positions, net.faces, RestLengths::equal);
+        const auto opened = with_opened_corners(sharp, plane, samples::k_pi / 6);
+        return opened && corner_angle_range(sharp, *opened).smallest >= samples::k_pi / 6;
+    };
+    for (const double far : {0.0, 1e3, 1e5, 1e6}) CHECK(is_opened(1, far));
+    for (const double unit : {1e-25, 1e-16, 1e16, 1e25}) CHECK(is_opened(unit, 0));
+}
+
 TEST_CASE("A surface far from the origin is covered as near to it") {
     Mesh mesh = samples::sphere(12, true);
     const auto coverage = [&] {
