@@ -119,11 +119,12 @@ std::vector<std::vector<int>> rods(const Net& net, const Topology& topology, std
     if (!whole && is_cut(net, topology)) whole = whole_length(net);
     if (!whole) return lines;
     const RodEdges edges(net, topology, *whole);
+    const std::vector<bool> is_closed = closed_rods(topology, lines);
     std::vector<std::vector<int>> rods;
-    for (std::vector<int>& line : lines) {
-        const bool is_closed = is_closed_rod(topology, line);
-        std::vector<bool> is_rod = edges.along(line, is_closed);
-        if (is_closed) begin_at_rim(line, is_rod);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        std::vector<int>& line = lines[i];
+        std::vector<bool> is_rod = edges.along(line, is_closed[i]);
+        if (is_closed[i]) begin_at_rim(line, is_rod);
         for (std::size_t k = 0; k < is_rod.size(); ++k) {
             if (!is_rod[k]) continue;
             if (k == 0 || !is_rod[k - 1]) rods.push_back({line[k]});
@@ -155,8 +156,11 @@ double whole_edge_tolerance(const Net& net, const Topology& topology, double sha
     return std::clamp(k_farther * (has_uncut ? spread : nearly), k_as_long, k_whole_edge);
 }
 
-bool is_closed_rod(const Topology& topology, const std::vector<int>& rod) {
-    return topology.is_closed(rod, InwardCorners::pass);
+std::vector<bool> closed_rods(const Topology& topology, const std::vector<std::vector<int>>& rods) {
+    const std::vector<int> straight_on = topology.straight_on(InwardCorners::pass);
+    std::vector<bool> is_closed;
+    for (const std::vector<int>& rod : rods) is_closed.push_back(topology.is_closed(rod, straight_on));
+    return is_closed;
 }
 
 bool is_cut(const Net& net, const Topology& topology) {

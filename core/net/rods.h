@@ -17,8 +17,8 @@ namespace chebnet {
 /// are of rods.
 std::vector<std::vector<int>> rods(const Net& net, const Topology& topology, std::optional<double> length = {});
 
-/// Of one of them: it ends where it began, and goes straight on there.
-bool is_closed_rod(const Topology& topology, const std::vector<int>& rod);
+/// Which of them end where they began, and go straight on there.
+std::vector<bool> closed_rods(const Topology& topology, const std::vector<std::vector<int>>& rods);
 
 /// L, the length of edges that no border has cut: that which most share (shared_length()) or, where a border has cut
 /// most, that of the longest edge between two faces; of the longest at all where none is between two.

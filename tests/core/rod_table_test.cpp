@@ -57,6 +57,23 @@ TEST_CASE("Every edge of a net that nothing has cut lies on one rod, and those a
     CHECK(closed > 0);
 }
 
+TEST_CASE("Rods around a tube are told to be closed where they pass inward corners, too") {
+    // Every second ring of faces has a window of one of them, where rods begin.
+    const int around = 12, along = 8;
+    const Mesh tube = samples::cylinder(around, along, 2);
+    Faces faces;
+    for (int f = 0; f < tube.faces.size(); ++f)
+        if (f % around != 0 || f / around % 2 == 0) faces.add(tube.faces[f]);
+    const Net net(tube.positions, faces, RestLengths::equal);
+    int closed = 0, loops = 0;
+    for (const std::vector<std::string>& row : samples::cells_of(table_of(net, net.rest_positions()))) {
+        closed += std::stoi(row[3]);
+        loops += std::stoi(row[1]) == around ? 1 : 0;
+    }
+    CHECK(closed == along);
+    CHECK(loops == along);
+}
+
 TEST_CASE("Where the border of a surface has cut a net, the edges along it are of no rod") {
     const Surface hemisphere = make_own_surface("hemisphere");
     const SurfaceTree tree(hemisphere);
