@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "drape/bound.h"
 #include "drape/draped_net.h"
 #include "drape/opened_corners.h"
 #include "drape/slits.h"
@@ -36,11 +37,22 @@ bool is_parted(const Compass& compass, const std::vector<DrapedVertex>& vertices
     return false;
 }
 
-/// The cells that are near enough, within the limit and across no slit, joined to the seed.
-std::vector<std::array<int, 4>> good_cells(const Net& net, const Compass& compass,
-                                           const std::vector<DrapedVertex>& vertices, const Eigen::VectorXd& heights,
-                                           double most_height, double limit) {
-    const double largest_cosine = std::cos(limit);
+/// Whether a cell ends at the border as drape() says: opening corners may have moved it there.
+bool keeps_border(const Compass& compass, const DrapeOptions& options, const Slits* slits,
+                  const std::vector<DrapedVertex>& vertices, std::span<const int> face) {
+    const auto is_on_surface = [&](int v) { return compass.is_on_surface(vertices[v]); };
+    const auto may_stand = [&](int v) {
+        return is_on_surface(v) || !is_bound(compass.surface(), options, slits, vertices[v].at);
+    };
+    return std::any_of(face.begin(), face.end(), is_on_surface) && std::all_of(face.begin(), face.end(), may_stand);
+}
+
+/// The cells that are near enough, within the limit, across no slit and not farther over the border than they may be,
+/// joined to the seed.
+std::vector<std::array<int, 4>> good_cells(const Net& net, const Compass& compass, const DrapeOptions& options,
+                                           const Slits* slits, const std::vector<DrapedVertex>& vertices,
+                                           const Eigen::VectorXd& heights, double most_height) {
+    const double largest_cosine = std::cos(options.smallest_angle);
     std::vector<std::vector<int>> good;
     for (int f = 0; f < net.face_count(); ++f) {
         const std::span<const int> face = net.faces()[f];
@@ -48,7 +60,8 @@ std::vector<std::array<int, 4>> good_cells(const Net& net, const Compass& compas
         std::transform(face.begin(), face.end(), corners.begin(), [&](int v) { return vertices[v].position; });
         const bool is_near =
             std::all_of(face.begin(), face.end(), [&](int v) { return std::abs(heights[v]) <= most_height; });
-        if (is_near && keeps_limit(corners, largest_cosine) && !is_parted(compass, vertices, face))
+        if (is_near && keeps_limit(corners, largest_cosine) && !is_parted(compass, vertices, face) &&
+            keeps_border(compass, options, slits, vertices, face))
             good.emplace_back(face.begin(), face.end());
     }
     std::vector<std::array<int, 4>> cells;
@@ -67,14 +80,13 @@ std::optional<Drape> opened_drape(const Guide& guide, const DrapeOptions& option
     const Drape laid = drape(guide.surface(), guide.tree(), to_open);
     const std::optional<Positions> positions = with_opened_corners(laid.net, guide, options.smallest_angle);
     if (!positions) return std::nullopt;
-    std::optional<Slits> slits;
-    if (options.slits) slits.emplace(guide.surface(), guide.tree(), options.length);
-    const bool has_slits = slits && !slits->none();
-    const Compass compass(guide.surface(), guide.tree(), options.length, has_slits ? &*slits : nullptr);
+    std::optional<Slits> own;
+    if (options.slits) own.emplace(guide.surface(), guide.tree(), options.length);
+    const Slits* const slits = own && !own->none() ? &*own : nullptr;
+    const Compass compass(guide.surface(), guide.tree(), options.length, slits);
     const std::vector<DrapedVertex> vertices = draped_vertices(compass, *positions, laid.faces);
-    const std::vector<std::array<int, 4>> cells =
-        good_cells(laid.net, compass, vertices, heights_over(guide, *positions), most_height * options.length,
-                   options.smallest_angle);
+    const std::vector<std::array<int, 4>> cells = good_cells(
+        laid.net, compass, options, slits, vertices, heights_over(guide, *positions), most_height * options.length);
     BorderCut left;
     if (options.border == DrapeOptions::Border::cut)
         left = cut_at_border(compass, options.smallest_angle, vertices, cells);

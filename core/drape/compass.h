@@ -27,8 +27,11 @@ public:
     const Surface& surface() const { return m_surface; }
     const SurfaceTree& tree() const { return m_tree; }
     double length() const { return m_length; }
-    /// What rounding makes of a distance, so far from the origin as the surface is.
-    double rounding() const { return m_rounding; }
+    /// Distances that differ by no more are equal, so far from the origin as the surface is.
+    double tolerance() const { return k_exact * m_length + m_rounding; }
+
+    /// Whether a vertex does not stand beyond the boundary.
+    bool is_on_surface(const DrapedVertex& vertex) const { return vertex.overhang <= tolerance(); }
 
     /// As height_of, but as seen from a triangle near the point: on this side of slits.
     Height height(const Eigen::Vector3d& point, int from) const;
@@ -50,6 +53,10 @@ public:
     std::optional<DrapedVertex> across(const DrapedVertex& d, const DrapedVertex& a, const DrapedVertex& b) const;
 
 private:
+    // In edge lengths: how far a vertex may be off the distance to its neighbours, and how far from the boundary it
+    // still counts as standing on it.
+    static constexpr double k_exact = 1e-9;
+
     class Circle;
 
     std::optional<DrapedVertex> vertex_beyond(const Eigen::Vector3d& position, int guess) const;

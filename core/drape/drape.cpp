@@ -16,6 +16,7 @@
 #include "base/error.h"
 #include "drape/bent_arms.h"
 #include "drape/border_cut.h"
+#include "drape/bound.h"
 #include "drape/compass.h"
 #include "drape/draped_net.h"
 #include "drape/drawn_curve.h"
@@ -27,9 +28,6 @@ namespace chebnet {
 
 namespace {
 
-// In edge lengths: how far a vertex may be off the distance to its neighbours, and how far from the boundary it still
-// counts as standing on it.
-constexpr double k_exact = 1e-9;
 // Vertices more than two steps apart do not come closer than this, in edge lengths, unless the net lies on itself: in a
 // net sheared to 30° they keep 1.03.
 constexpr double k_least_distance = 0.7;
@@ -121,7 +119,7 @@ public:
           m_bent(bent),
           m_curve(curve_of(surface, tree, options)),
           m_slits(slits_of(surface, tree, options)),
-          m_compass(surface, tree, options.length, m_slits ? &*m_slits : nullptr),
+          m_compass(surface, tree, options.length, slits()),
           m_surroundings(options.length),
           m_largest_cosine(std::cos(options.smallest_angle)) {
         const SurfaceTree::Nearest seed =
@@ -284,7 +282,7 @@ private:
 
     bool is_allowed(const GridPlace& place, const DrapedVertex& vertex) {
         if (std::abs(place.i) > m_options.reach || std::abs(place.j) > m_options.reach) return false;
-        if (!is_on_surface(vertex) && is_bound(vertex.at)) return false;
+        if (!is_on_surface(vertex) && is_bound(m_compass.surface(), m_options, slits(), vertex.at)) return false;
         if (meets_net(place, vertex)) {
             refuse(place, m_met);
             return false;
@@ -292,30 +290,9 @@ private:
         return true;
     }
 
-    /// Whether the net ends inside at a point of the border: everywhere, or as at a cut, behind which more of it lies.
-    bool is_bound(const SurfacePoint& at) const {
-        switch (m_options.border) {
-            case DrapeOptions::Border::inside:
-                return true;
-            case DrapeOptions::Border::beyond:
-                return !m_options.beyond_cuts && is_at_cut(at);
-            case DrapeOptions::Border::cut:
-                return false;  // where rods are cut they end on it from either side
-        }
-        return false;
-    }
+    const Slits* slits() const { return m_slits ? &*m_slits : nullptr; }
 
-    bool is_at_cut(const SurfacePoint& at) const {
-        if (m_slits && m_slits->is_on_bank(at)) return true;
-        if (m_options.seam.empty()) return false;
-        for (int k = 0; k < 3; ++k)
-            if (at.weights[k] > 0 && !m_options.seam[m_compass.surface().triangles()(k, at.face)]) return false;
-        return true;
-    }
-
-    double tolerance() const { return k_exact * m_options.length + m_compass.rounding(); }
-
-    bool is_on_surface(const DrapedVertex& vertex) const { return vertex.overhang <= tolerance(); }
+    bool is_on_surface(const DrapedVertex& vertex) const { return m_compass.is_on_surface(vertex); }
 
     /// Whether a new vertex is not one edge away from a neighbour, or on what other vertices have covered.
     bool meets_net(const GridPlace& place, const DrapedVertex& next) const {
@@ -335,7 +312,7 @@ private:
     }
 
     bool is_one_edge(const DrapedVertex& a, const DrapedVertex& b) const {
-        return std::abs((a.position - b.position).norm() - m_options.length) <= tolerance();
+        return std::abs((a.position - b.position).norm() - m_options.length) <= m_compass.tolerance();
     }
 
     /// Of the corners of a cell.

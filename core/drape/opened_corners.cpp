@@ -1,7 +1,6 @@
 #include "drape/opened_corners.h"
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "net/topology.h"
@@ -22,14 +21,17 @@ constexpr double k_exact_error = 1e-11;
 // Radians, by which corners are opened too far: more than CornerLimit::k_tolerance takes off again.
 constexpr double k_margin = 3e-4;
 
+/// About the net's middle and in its own unit, so that lengths become exact wherever the surface is, and however large.
 class CornerOpening {
 public:
     CornerOpening(const Net& net, const Guide& guide, double smallest_angle)
-        : m_net(net),
-          m_topology(net),
+        : m_middle(net.rest_positions().rowwise().mean()),
+          m_unit(net.unit()),
+          m_net(net.scaled(1 / m_unit)),
+          m_topology(m_net),
           m_guide(guide),
-          m_limit(net, smallest_angle + k_margin),
-          m_positions(net.rest_positions()),
+          m_limit(m_net, smallest_angle + k_margin),
+          m_positions((net.rest_positions().colwise() - m_middle) / m_unit),
           m_faces(static_cast<std::size_t>(net.vertex_count()), 0) {
         watch();
     }
@@ -48,7 +50,7 @@ public:
         return false;
     }
 
-    Positions& positions() { return m_positions; }
+    Positions positions() const { return (m_unit * m_positions).colwise() + m_middle; }
 
 private:
     void watch() {
@@ -59,9 +61,10 @@ private:
 
     void approach_surface() {
         for (int v = 0; v < m_positions.cols(); ++v) {
-            const Offset offset = offset_of(m_guide.surface(), m_guide.tree(), m_positions.col(v), m_faces[v]);
+            const Eigen::Vector3d point = m_middle + m_unit * m_positions.col(v);
+            const Offset offset = offset_of(m_guide.surface(), m_guide.tree(), point, m_faces[v]);
             m_faces[v] = offset.face;
-            m_positions.col(v) -= k_approach * offset.away;
+            m_positions.col(v) -= k_approach / m_unit * offset.away;
         }
     }
 
@@ -82,7 +85,9 @@ private:
         return false;
     }
 
-    const Net& m_net;
+    Eigen::Vector3d m_middle;
+    double m_unit;
+    Net m_net;
     Topology m_topology;
     const Guide& m_guide;
     CornerLimit m_limit;
@@ -96,7 +101,7 @@ private:
 std::optional<Positions> with_opened_corners(const Net& net, const Guide& guide, double smallest_angle) {
     CornerOpening opening(net, guide, smallest_angle);
     if (!opening.run()) return std::nullopt;
-    return std::move(opening.positions());
+    return opening.positions();
 }
 
 }  // namespace chebnet

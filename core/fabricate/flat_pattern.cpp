@@ -42,6 +42,7 @@ public:
             }
         for (int e = 0; e < net.edge_count(); ++e) m_has_between = m_has_between || is_between(e);
         const double whole = whole_length(net), tolerance = whole_edge_tolerance(net, topology, whole);
+        m_is_of_rod = rod_edges(net, topology, whole);
         m_lengths = net.rest_lengths() / whole;
         for (double& length : m_lengths)
             if (std::abs(length - 1) <= tolerance) length = 1;
@@ -69,7 +70,7 @@ public:
     /// apart where they are whole; one that is cut there is not known for a rod (see Layout::put_ends).
     bool is_rod(int face, int k) const {
         if (is_between(edge(face, k))) return true;
-        if (length(face, k) != 1) return false;
+        if (length(face, k) != 1 || !m_is_of_rod[edge(face, k)]) return false;
         if (count(face) != 4) return true;
         // Between rods that are cut nearly alike its ends are theirs.
         const double step = std::abs(length(face, k + 3) - length(face, k + 1));
@@ -120,6 +121,7 @@ private:
     std::vector<int> m_edge;                          // of each side
     std::vector<std::array<int, 2>> m_faces_of_edge;  // the second is −1 on the boundary
     Eigen::VectorXd m_lengths;                        // of each edge
+    std::vector<bool> m_is_of_rod;                    // likewise
     bool m_has_between = false;
 };
 

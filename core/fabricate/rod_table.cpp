@@ -30,15 +30,17 @@ void append(std::string& table, const std::vector<Number>& numbers, Text text_of
 
 std::string rod_table(const Net& net, const Topology& topology, const Positions& positions) {
     std::string table = "rod,edges,length,closed,vertices,marks\n";
-    int number = 0;
-    for (const std::vector<int>& line : rods(net, topology)) {
+    const std::vector<std::vector<int>> lines = rods(net, topology);
+    const std::vector<bool> is_closed = closed_rods(topology, lines);
+    std::size_t number = 0;
+    for (const std::vector<int>& line : lines) {
         const std::vector<double> marks = marks_of(line, positions);
-        table += std::to_string(number++);
+        table += std::to_string(number);
         table += ',';
         table += std::to_string(line.size() - 1);
         table += ',';
         table += exact_text(marks.back());
-        table += is_closed_rod(topology, line) ? ",1" : ",0";
+        table += is_closed[number++] ? ",1" : ",0";
         append(table, line, [](int vertex) { return std::to_string(vertex); });
         append(table, marks, exact_text);
         table += '\n';

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "net/measures.h"
 
@@ -42,59 +43,68 @@ bool has_whole_quad(const Net& net, const Topology& topology, double length) {
 class RodEdges {
 public:
     RodEdges(const Net& net, const Topology& topology, double shared)
-        : m_net(net), m_topology(topology), m_is_whole(static_cast<std::size_t>(net.edge_count())) {
+        : m_net(net), m_topology(topology), m_shared(shared), m_is_whole(static_cast<std::size_t>(net.edge_count())) {
         const double tolerance = whole_edge_tolerance(net, topology, shared);
         for (int e = 0; e < net.edge_count(); ++e) m_is_whole[e] = is_as_long(net.rest_lengths()[e], shared, tolerance);
         m_is_rod = m_is_whole;
         for (int e = 0; e < net.edge_count(); ++e)
             if (!is_on_boundary(e)) m_is_rod[e] = true;
-        for (int f = 0; f < net.face_count(); ++f) find_rims(net.faces()[f]);
+        const std::vector<int> straight_on = topology.straight_on(InwardCorners::pass);
+        const std::vector<bool> is_cut = cut_along_border(straight_on);
+        for (int f = 0; f < net.face_count(); ++f) find_rims(net.faces()[f], is_cut);
+        // Not those that go on from a rim.
+        const std::vector<bool> is_cut_rod = cut_along_border(straight_on);
+        for (int e = 0; e < net.edge_count(); ++e)
+            if (is_cut_rod[e]) m_is_rod[e] = true;
     }
 
-    /// Of each edge of a line, whether it is of a rod.
-    std::vector<bool> along(const std::vector<int>& line, bool is_closed) const {
-        const std::size_t count = line.size() - 1;
-        const auto edge = [&](std::size_t k) {
-            return m_topology.edge_between(line[k % count], line[(k % count) + 1]);
-        };
-        std::vector<bool> is_rod(count);
-        for (std::size_t k = 0; k < count; ++k) {
-            is_rod[k] = m_is_rod[edge(k)];
-            if (m_is_whole[edge(k)] || is_rod[k]) continue;
-            const bool has_before = k > 0 || is_closed, has_next = k + 1 < count || is_closed;
-            const bool follows = !has_before || goes_on(line, k + count - 1, edge(k + count - 1));
-            const bool leads_on = !has_next || goes_on(line, k, edge(k + 1));
-            is_rod[k] = (has_before || has_next) && follows && leads_on;
-        }
-        return is_rod;
-    }
+    std::vector<bool> take() { return std::move(m_is_rod); }
 
 private:
     bool is_on_boundary(int edge) const { return m_net.edge_face_counts()[edge] == 1; }
+    bool is_shorter(int edge) const { return !m_is_whole[edge] && m_net.rest_lengths()[edge] < m_shared; }
 
-    /// Sides of whole length that lead from the end of one rod to that of another: both sides beside them are shorter.
-    /// Where a net is but one cell wide nothing tells them from rods that are as long.
-    void find_rims(std::span<const int> face) {
+    /// E: edges on the boundary that are not whole and go on straight, wherever they go on, from a whole one of a rod.
+    std::vector<bool> cut_along_border(const std::vector<int>& straight_on) const {
+        std::vector<bool> goes_on(m_is_whole.size()), bends(m_is_whole.size());
+        for (int v = 0, first = 0; v < m_net.vertex_count(); first += m_topology.valence(v++))
+            for (int k = 0; k < m_topology.valence(v); ++k) {
+                if (straight_on[first + k] < 0) continue;
+                const int edge = m_topology.incident_edges(v)[k];
+                (is_straight(v, k, straight_on[first + k] - first) ? goes_on : bends)[edge] = true;
+            }
+        for (int e = 0; e < m_net.edge_count(); ++e)
+            goes_on[e] = goes_on[e] && !bends[e] && is_on_boundary(e) && !m_is_whole[e];
+        return goes_on;
+    }
+
+    /// Of two edges at a vertex, by their numbers there, whether one goes on straight from the other, a whole one of a
+    /// rod.
+    bool is_straight(int v, int edge, int other) const {
+        const Positions& x = m_net.rest_positions();
+        const Eigen::Vector3d before = x.col(v) - x.col(m_topology.neighbours(v)[other]),
+                              next = x.col(m_topology.neighbours(v)[edge]) - x.col(v);
+        const int whole = m_topology.incident_edges(v)[other];
+        return m_is_whole[whole] && m_is_rod[whole] && before.dot(next) > k_straight * before.norm() * next.norm();
+    }
+
+    /// Sides of whole length that lead from the end of one rod to that of another: both sides beside them are rods that
+    /// were cut. In a quad all that is shorter is a rod, across from one between two faces; in a triangle it may be a
+    /// rim beside a whole rod. Where a net is but one cell wide nothing tells rims from rods that are as long.
+    void find_rims(std::span<const int> face, const std::vector<bool>& is_cut) {
         const std::size_t n = face.size();
         const auto edge = [&](std::size_t k) { return m_topology.edge_between(face[k % n], face[(k + 1) % n]); };
+        const auto is_cut_rod = [&](int e) { return is_shorter(e) && (n == 4 || !is_on_boundary(e) || is_cut[e]); };
         for (std::size_t k = 0; k < n; ++k) {
-            const bool lies_across = !m_is_whole[edge(k + 1)] && !m_is_whole[edge(k + n - 1)];
+            const bool lies_across = is_cut_rod(edge(k + 1)) && is_cut_rod(edge(k + n - 1));
             if (is_on_boundary(edge(k)) && lies_across && (n != 4 || !is_on_boundary(edge(k + 2))))
                 m_is_rod[edge(k)] = false;
         }
     }
 
-    /// Whether a line goes straight on from edge k to the next, one of which, `other`, is a whole one of a rod.
-    bool goes_on(const std::vector<int>& line, std::size_t k, int other) const {
-        const std::size_t count = line.size() - 1;
-        const int a = line[k % count], b = line[k % count + 1], c = line[(k + 1) % count + 1];
-        const Positions& x = m_net.rest_positions();
-        const Eigen::Vector3d before = x.col(b) - x.col(a), next = x.col(c) - x.col(b);
-        return m_is_whole[other] && m_is_rod[other] && before.dot(next) > k_straight * before.norm() * next.norm();
-    }
-
     const Net& m_net;
     const Topology& m_topology;
+    double m_shared;
     std::vector<bool> m_is_whole, m_is_rod;
 };
 
@@ -118,12 +128,15 @@ std::vector<std::vector<int>> rods(const Net& net, const Topology& topology, std
     if (!whole) whole = length;
     if (!whole && is_cut(net, topology)) whole = whole_length(net);
     if (!whole) return lines;
-    const RodEdges edges(net, topology, *whole);
+    const std::vector<bool> is_of_rod = rod_edges(net, topology, *whole);
+    const std::vector<bool> is_closed = closed_rods(topology, lines);
     std::vector<std::vector<int>> rods;
-    for (std::vector<int>& line : lines) {
-        const bool is_closed = is_closed_rod(topology, line);
-        std::vector<bool> is_rod = edges.along(line, is_closed);
-        if (is_closed) begin_at_rim(line, is_rod);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        std::vector<int>& line = lines[i];
+        std::vector<bool> is_rod;
+        for (std::size_t k = 1; k < line.size(); ++k)
+            is_rod.push_back(is_of_rod[topology.edge_between(line[k - 1], line[k])]);
+        if (is_closed[i]) begin_at_rim(line, is_rod);
         for (std::size_t k = 0; k < is_rod.size(); ++k) {
             if (!is_rod[k]) continue;
             if (k == 0 || !is_rod[k - 1]) rods.push_back({line[k]});
@@ -131,6 +144,10 @@ std::vector<std::vector<int>> rods(const Net& net, const Topology& topology, std
         }
     }
     return rods;
+}
+
+std::vector<bool> rod_edges(const Net& net, const Topology& topology, double length) {
+    return RodEdges(net, topology, length).take();
 }
 
 double whole_length(const Net& net) {
@@ -155,8 +172,11 @@ double whole_edge_tolerance(const Net& net, const Topology& topology, double sha
     return std::clamp(k_farther * (has_uncut ? spread : nearly), k_as_long, k_whole_edge);
 }
 
-bool is_closed_rod(const Topology& topology, const std::vector<int>& rod) {
-    return topology.is_closed(rod, InwardCorners::pass);
+std::vector<bool> closed_rods(const Topology& topology, const std::vector<std::vector<int>>& rods) {
+    const std::vector<int> straight_on = topology.straight_on(InwardCorners::pass);
+    std::vector<bool> is_closed;
+    for (const std::vector<int>& rod : rods) is_closed.push_back(topology.is_closed(rod, straight_on));
+    return is_closed;
 }
 
 bool is_cut(const Net& net, const Topology& topology) {

@@ -10,15 +10,19 @@ namespace chebnet {
 
 /// The lines that a rod is laid along, each a list of vertices: those of Topology::net_lines() that pass inward
 /// corners, but for rims, the edges along a border that has cut the net. Where a rod and a rim are on one line the rod
-/// ends. On the boundary an edge of the length that others share (shared_length()) is of a rod, unless it leads across
-/// a cell from the end of one cut rod to that of another; one of another length is of a rim, unless it goes on straight
-/// from a rod, of which it is then what a border left of the last edge. Where no length is shared by most, a border may
-/// have cut most edges: L is then `length`, where it is known, or whole_length() if the net is_cut(); else all lines
-/// are of rods.
+/// ends. Which edges are of rods say rod_edges() for the length L that edges share (shared_length()). Where no length
+/// is shared by most, a border may have cut most edges: L is then `length`, where it is known, or whole_length() if the
+/// net is_cut(); else all lines are of rods.
 std::vector<std::vector<int>> rods(const Net& net, const Topology& topology, std::optional<double> length = {});
 
-/// Of one of them: it ends where it began, and goes straight on there.
-bool is_closed_rod(const Topology& topology, const std::vector<int>& rod);
+/// E, where edges have length L but those that a border may have cut: whether each is of a rod. All are between two
+/// faces. On the boundary one of length L is of a rod, unless it leads across a cell from the end of one cut rod to
+/// that of another; one of another length is of a rim, unless it goes on straight from a rod, of which it is then what
+/// a border left of the last edge.
+std::vector<bool> rod_edges(const Net& net, const Topology& topology, double length);
+
+/// Which of rods() end where they began, and go straight on there.
+std::vector<bool> closed_rods(const Topology& topology, const std::vector<std::vector<int>>& rods);
 
 /// L, the length of edges that no border has cut: that which most share (shared_length()) or, where a border has cut
 /// most, that of the longest edge between two faces; of the longest at all where none is between two.

@@ -102,13 +102,15 @@ std::vector<std::vector<int>> Topology::net_lines(InwardCorners corners) const {
     return lines;
 }
 
-bool Topology::is_closed(const std::vector<int>& line, InwardCorners corners) const {
+bool Topology::is_closed(const std::vector<int>& line) const {
     constexpr int k_straight_valence = 3;  // on the boundary
     const int v = line.front();
-    if (v != line.back()) return false;
-    if (!is_boundary(v) || valence(v) <= k_straight_valence || corners == InwardCorners::end)
-        return valence(v) == (is_boundary(v) ? k_straight_valence : k_regular_valence);
-    return straight_on(corners)[slot_of(v, line[1])] == slot_of(v, line[line.size() - 2]);
+    return v == line.back() && valence(v) == (is_boundary(v) ? k_straight_valence : k_regular_valence);
+}
+
+bool Topology::is_closed(const std::vector<int>& line, const std::vector<int>& straight_on) const {
+    const int v = line.front();
+    return v == line.back() && straight_on[slot_of(v, line[1])] == slot_of(v, line[line.size() - 2]);
 }
 
 int Topology::slot_of(int vertex, int neighbour) const {

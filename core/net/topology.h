@@ -53,7 +53,9 @@ public:
     /// border: so lines end at inward corners of the boundary, too, unless they are to pass these, as rods do.
     std::vector<std::vector<int>> net_lines(InwardCorners corners = InwardCorners::end) const;
     /// Of one of them. One that ends where it began, at a vertex at which it does not go straight on, is not closed.
-    bool is_closed(const std::vector<int>& line, InwardCorners corners = InwardCorners::end) const;
+    bool is_closed(const std::vector<int>& line) const;
+    /// The same of lines that pass inward corners, or of parts of lines. `straight_on`: how they go on, see below.
+    bool is_closed(const std::vector<int>& line, const std::vector<int>& straight_on) const;
     /// 2E. For each edge at each vertex, in the order of incident_edges() of one vertex after the other, the place in
     /// this order of the edge straight on from it, −1 where its line ends.
     std::vector<int> straight_on(InwardCorners corners) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "base/error.h"
@@ -11,6 +12,13 @@
 
 namespace chebnet {
 
+namespace {
+
+// Radians: drape() lays no net without a limit.
+constexpr double k_least_limit = 0.5 * std::numbers::pi / 180;
+
+}  // namespace
+
 std::optional<Net> one_piece(const Surface& surface, const SurfaceTree& tree, double cells, double length,
                              double smallest_angle) {
     const std::vector<int> pieces = surface.components();
@@ -18,7 +26,7 @@ std::optional<Net> one_piece(const Surface& surface, const SurfaceTree& tree, do
     try {
         DrapeOptions options = suggested_drape(surface, tree, 1);
         options.length = length > 0 ? length : std::sqrt(surface.area() / cells);
-        options.smallest_angle = smallest_angle;
+        options.smallest_angle = std::max(smallest_angle, k_least_limit);
         options = propose_drapes(surface, tree, options).front().options;
         Net net = drape(surface, tree, options).net;
         if (length == 0) {

@@ -1,5 +1,6 @@
 #include "remesh/pinholes.h"
 
+#include <numbers>
 #include <vector>
 
 #include "base/error.h"
@@ -13,10 +14,25 @@ struct Hole {
     Eigen::Vector3d middle;
 };
 
+/// F, the area of the piece of each triangle.
+Eigen::VectorXd piece_areas(const Surface& surface) {
+    const std::vector<int> pieces = surface.components();
+    Eigen::VectorXd of_piece = Eigen::VectorXd::Zero(surface.face_count()), of_face = of_piece;
+    for (int f = 0; f < surface.face_count(); ++f) of_piece[pieces[f]] += surface.areas()[f];
+    for (int f = 0; f < surface.face_count(); ++f) of_face[f] = of_piece[pieces[f]];
+    return of_face;
+}
+
+/// Of a hemisphere with a border of this length: a piece that is no larger is what lies within the border, not around
+/// it.
+double area_within(double border) { return border * border / (2 * std::numbers::pi); }
+
 std::vector<Hole> holes_up_to(const Surface& surface, double longest) {
+    const Eigen::VectorXd areas = piece_areas(surface);
     std::vector<Hole> holes;
     for (const std::vector<int>& loop : surface.boundary_loops()) {
-        if (surface.length_of(loop) > longest) continue;
+        const double length = surface.length_of(loop);
+        if (length > longest || areas[Surface::face_of(loop.front())] <= area_within(length)) continue;
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (const int s : loop) sum += surface.positions().col(surface.from(s));
         holes.push_back({loop, sum / static_cast<double>(loop.size())});

@@ -7,7 +7,8 @@
 namespace chebnet {
 
 /// The surface with holes closed whose border is no longer than `longest`, each by triangles to its middle, which have
-/// numbers behind its own. Nothing if it has none, or if that gives no surface, as where a hole touches itself.
+/// numbers behind its own. The border around a piece that is hardly larger than what it encloses is none of a hole.
+/// Nothing if the surface has no holes, or if that gives no surface, as where a hole touches itself.
 std::optional<Surface> without_pinholes(const Surface& surface, double longest);
 
 }  // namespace chebnet

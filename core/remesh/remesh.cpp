@@ -89,7 +89,6 @@ constexpr double k_open_angle = 40 * std::numbers::pi / 180;
 constexpr double k_largest_cell = 1e15;
 // With more the grid takes too long, and would not be worth much.
 constexpr int k_most_singular_vertices = 600;
-constexpr double k_angle_tolerance = 1e-3;
 // A surface whose triangles are inclined by more than this to those of the surface that is smoothed over a cell is
 // rough, in radians, on average. What is larger than cells of so many is shape rather than noise.
 constexpr double k_rough_tilt = 7 * std::numbers::pi / 180, k_fewest_smoothing_cells = 1500;
@@ -244,7 +243,7 @@ private:
         if (!net) return false;
         const DrapeReport report = measure_drape(m_surface, m_guide->tree(), *net);
         const double farthest = m_options.fewest ? k_fewest_distance : k_none_distance;
-        if (report.smallest_angle < m_options.smallest_angle - k_angle_tolerance ||
+        if (report.smallest_angle < m_options.smallest_angle - k_limit_tolerance ||
             report.mean_distance > farthest * report.length)
             return false;
         return is_smooth(*net, usual);
@@ -331,7 +330,7 @@ private:
 
     bool keeps_limit(const Found& found) const {
         const double smallest = corner_angle_range(found.net, found.net.rest_positions()).smallest;
-        return smallest >= m_options.smallest_angle - k_angle_tolerance;
+        return smallest >= m_options.smallest_angle - k_limit_tolerance;
     }
 
     /// Whether the last net found is as it should be.
@@ -591,6 +590,7 @@ private:
         std::optional<Remesh> made;
         int missed = std::numeric_limits<int>::max();
         double cost = std::numeric_limits<double>::infinity();
+        std::exception_ptr failure{};  // why none was made
 
         bool is_good() const { return missed == 0 && cost <= k_good_cost; }
         auto rank() const { return std::pair(missed, cost); }
@@ -638,7 +638,10 @@ private:
             trial = made(trial.way, m_options, m_progress);
         else if (m_progress)
             m_progress(RemeshPhase::fit, 1);
-        if (!trial.made) return;
+        if (!trial.made) {
+            if (!m_failure) m_failure = trial.failure;
+            return;
+        }
         ++m_finals;
         std::array<double, k_remesh_phases>& own = trial.made->milliseconds;
         own[static_cast<int>(RemeshPhase::border)] =
@@ -655,7 +658,7 @@ private:
             try {
                 trial.made = Remesher(m_guide, options, progress).run();
             } catch (const Error&) {
-                if (!m_failure) m_failure = std::current_exception();
+                trial.failure = std::current_exception();
             }
         } else {
             trial.made = made_in_one_piece(options, progress);
@@ -700,7 +703,7 @@ private:
     std::vector<Trial> m_trials;
     int m_finals = 0;              // nets made as asked for
     Trial m_finished;              // the best of those made as asked for
-    std::exception_ptr m_failure;  // the first
+    std::exception_ptr m_failure;  // of the first that did not come about as asked for
 };
 
 /** Refuses `number` unless it is from 0 to `most`, with the sentence that says so. */
@@ -759,7 +762,7 @@ Remesh remesh(const std::shared_ptr<const Guide>& guide, const RemeshOptions& op
     Mesh rows = in_rows({made.net.rest_positions(), made.net.faces()});
     made.net = Net(std::move(rows.positions), std::move(rows.faces), RestLengths::equal);
     made.singular = singular_vertices(made.net);
-    made.sharp_quads = sharp_quads(made.net, made.net.rest_positions(), options.smallest_angle - k_angle_tolerance);
+    made.sharp_quads = sharp_quads(made.net, made.net.rest_positions(), options.smallest_angle - k_limit_tolerance);
     return made;
 }
 

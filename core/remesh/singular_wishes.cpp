@@ -79,14 +79,14 @@ void check_indices(const Guide& guide, const SingularWishes& wishes) {
         const Piece& piece = pieces[k];
         const int missing = k_regular_valence * piece.characteristic() - piece.index;
         if (piece.border > 0 || missing == 0) continue;
-        throw Error(
-            ErrorCode::bad_option,
-            "these singular vertices alone do not close " +
-                (pieces.size() > 1 ? "piece " + std::to_string(k) + " of the surface" : std::string("the surface")) +
-                ": " + std::to_string(std::abs(missing)) + " more of valence " + std::to_string(missing > 0 ? 3 : 5) +
-                (std::abs(missing) > 1 ? " are" : " is") +
-                " missing (each of valence 3 counts 1, of 5 -1, of 6 -2, and the sum must be " +
-                std::to_string(k_regular_valence * piece.characteristic()) + ")");
+        throw Error(ErrorCode::bad_option,
+                    "these singular vertices alone do not close " +
+                        (pieces.size() > 1 ? "piece " + std::to_string(k + 1) + " of the surface"
+                                           : std::string("the surface")) +
+                        ": " + std::to_string(std::abs(missing)) + " more of valence " +
+                        std::to_string(missing > 0 ? 3 : 5) + (std::abs(missing) > 1 ? " are" : " is") +
+                        " missing (each of valence 3 counts 1, of 5 -1, of 6 -2, and the sum must be " +
+                        std::to_string(k_regular_valence * piece.characteristic()) + ")");
     }
 }
 

@@ -61,7 +61,6 @@ Surface::Surface(const Mesh& mesh) : m_positions(mesh.positions) {
 
 void Surface::check(const Mesh& mesh) const {
     if (mesh.faces.size() == 0) throw Error(ErrorCode::no_faces, "the surface has no face");
-    check_size(mesh.positions);
     std::vector<bool> is_used(static_cast<std::size_t>(mesh.positions.cols()));
     for (int f = 0; f < mesh.faces.size(); ++f) {
         const std::span<const int> face = mesh.faces[f];
@@ -71,6 +70,10 @@ void Surface::check(const Mesh& mesh) const {
             check_vertex(f, vertex, mesh.positions.cols());
             is_used[vertex] = true;
         }
+    }
+    check_size(mesh.positions);
+    for (int f = 0; f < mesh.faces.size(); ++f) {
+        const std::span<const int> face = mesh.faces[f];
         for (std::size_t k = 0; k < face.size(); ++k) check_side(mesh, f, face[k], face[(k + 1) % face.size()]);
     }
     const auto unused = std::find(is_used.begin(), is_used.end(), false);

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "constants.h"
@@ -20,6 +21,7 @@
 #include "sample_surfaces.h"
 #include "surface/curvature.h"
 #include "surface/gallery.h"
+#include "surface/height.h"
 
 using namespace chebnet;
 using Catch::Matchers::Contains;
@@ -569,6 +571,24 @@ TEST_CASE("Sharp corners are opened on the surface, and nothing else is moved") 
     CHECK(heights_over(*guide, *opened).cwiseAbs().maxCoeff() < 1e-12);
 }
 
+TEST_CASE("Corners are opened far from the origin, and of very small nets, as of others") {
+    const Mesh net = samples::quads(9, 9, false, false,
+                                    [](int i, int j) { return Eigen::Vector3d(0.05 * (i + 0.94 * j), 0.017 * j, 0); });
+    const auto is_opened = [&](double unit, double far) {
+        const auto moved = [=](Mesh mesh) {
+            mesh.positions = unit * mesh.positions;
+            mesh.positions.row(1).array() += far;
+            return mesh;
+        };
+        const Guide plane(Surface(moved(samples::plane(9, 1))));
+        const Net sharp(moved(net).positions, net.faces, RestLengths::equal);
+        const auto opened = with_opened_corners(sharp, plane, samples::k_pi / 6);
+        return opened && corner_angle_range(sharp, *opened).smallest >= samples::k_pi / 6;
+    };
+    for (const double far : {0.0, 1e3, 1e5, 1e6}) CHECK(is_opened(1, far));
+    for (const double unit : {1e-25, 1e-16, 1e16, 1e25}) CHECK(is_opened(unit, 0));
+}
+
 TEST_CASE("A surface far from the origin is covered as near to it") {
     Mesh mesh = samples::sphere(12, true);
     const auto coverage = [&] {
@@ -582,6 +602,33 @@ TEST_CASE("A surface far from the origin is covered as near to it") {
     const double near = coverage();
     mesh.positions.row(0).array() += 1e7;
     CHECK(coverage() == Approx(near).epsilon(0.01));
+}
+
+TEST_CASE("Where corners are opened a net keeps to the border of the surface as where it was laid") {
+    const auto cap = std::make_shared<const Guide>(Surface(samples::quads(64, 40, true, false, [](int i, int j) {
+        const double around = samples::k_pi / 32 * i, down = 0.03 + 0.057 * j;
+        return Eigen::Vector3d(std::sin(down) * std::cos(around), std::sin(down) * std::sin(around), std::cos(down));
+    })));
+    const auto overhang = [&](const Eigen::Vector3d& position) {
+        return height_of(cap->surface(), cap->tree(), position, 0).overhang;
+    };
+    int opened = 0;
+    for (const int cells : {400, 700, 1000, 1500}) {
+        DrapeOptions options = suggested_drape(cap->surface(), cap->tree(), cells);
+        const double exact = 2e-9 * options.length;
+        options.border = DrapeOptions::Border::inside;
+        const Net inside = bridged_drape(cap, options, 0.5).net;
+        opened += inside.face_count() != drape(cap->surface(), cap->tree(), options).net.face_count() ? 1 : 0;
+        for (const auto& position : inside.rest_positions().colwise()) CHECK(overhang(position) < exact);
+        options.border = DrapeOptions::Border::beyond;
+        const Net beyond = bridged_drape(cap, options, 0.5).net;
+        for (int f = 0; f < beyond.face_count(); ++f) {
+            const std::span<const int> face = beyond.faces()[f];
+            CHECK(std::any_of(face.begin(), face.end(),
+                              [&](int v) { return overhang(beyond.rest_positions().col(v)) < exact; }));
+        }
+    }
+    CHECK(opened > 0);
 }
 
 TEST_CASE("Slits and gaps are told by the border that is open inside, though a slit counts as covered") {

@@ -16,6 +16,7 @@
 #include "constants.h"
 #include "drape/drape.h"
 #include "io/obj.h"
+#include "net/measures.h"
 #include "net/rods.h"
 #include "sample_nets.h"
 #include "sample_surfaces.h"
@@ -190,6 +191,30 @@ TEST_CASE("A rod that is cut along the boundary hangs on its own corner") {
             pattern_of(net_of(squares + at(0, 1.5) + corner(1, 2, 5, 4) + corner(2, 3, 6, 5) + triangle));
         CHECK((sharp.places.col(6) - sharp.places.col(3)).norm() == Approx(0.5));
         CHECK((sharp.places.col(6) - sharp.places.col(4)).norm() == Approx(std::sqrt(1.25)));
+    }
+}
+
+TEST_CASE("What joins the ends of cut rods is no rod in the flat pattern, though it is as long as one") {
+    // Above three whole squares rods end, each a little farther than the one before.
+    const FlatPattern steps = pattern_of(
+        net_of("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 3 1 0\nv 0 1.7 0\nv 1 1.712 0\n"
+               "v 2 1.724 0\nv 3 1.736 0\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 5 6 10 9\nf 6 7 11 10\nf 7 8 12 11\n"));
+    CHECK((steps.places.col(11) - steps.places.col(0)).norm() == Approx(std::hypot(3, 1.736)));
+
+    // A border that cuts the two rods at the corner of a square so that a triangle with a side of 1 is left.
+    Mesh plate{Positions::Zero(3, 4), {}};
+    plate.positions.row(0) << -2.5, 5.975, -0.4, -2.5;
+    plate.positions.row(1) << -2.5, -2.5, 6, 6;
+    plate.faces.add({0, 1, 2, 3});
+    const Surface surface(plate);
+    DrapeOptions options;
+    options.border = DrapeOptions::Border::cut;
+    const Net net = drape(surface, SurfaceTree(surface), options).net;
+    REQUIRE(faces_by_arity(net.faces()).count(3) == 1);
+    const FlatPattern pattern = pattern_of(net);
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const auto side = pattern.places.col(net.edges()(0, e)) - pattern.places.col(net.edges()(1, e));
+        CHECK(side.norm() == Approx(net.rest_lengths()[e]).epsilon(1e-6));
     }
 }
 

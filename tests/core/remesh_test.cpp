@@ -35,6 +35,7 @@
 #include "remesh/fewer_singular.h"
 #include "remesh/grid_map.h"
 #include "remesh/integers.h"
+#include "remesh/one_piece.h"
 #include "remesh/pinholes.h"
 #include "remesh/rows.h"
 #include "sample_nets.h"
@@ -59,6 +60,19 @@ int singular_count(const Net& net) {
     int sum = 0;
     for (const auto& [valence, count] : Topology(net).singular_vertices()) sum += count;
     return sum;
+}
+
+/// Two pieces, of which the other one is moved.
+Mesh beside(Mesh mesh, const Mesh& other, const Eigen::Vector3d& move) {
+    const auto count = mesh.positions.cols();
+    mesh.positions.conservativeResize(3, count + other.positions.cols());
+    mesh.positions.rightCols(other.positions.cols()) = other.positions.colwise() + move;
+    for (int f = 0; f < other.faces.size(); ++f) {
+        std::vector<int> face(other.faces[f].begin(), other.faces[f].end());
+        for (int& v : face) v += static_cast<int>(count);
+        mesh.faces.add(face);
+    }
+    return mesh;
 }
 
 /// A net over the whole of it, with all that is promised.
@@ -439,17 +453,8 @@ TEST_CASE("No tail of one or two cells hangs at the border, a narrow part of a s
 }
 
 TEST_CASE("All pieces of a surface are covered") {
-    Mesh mesh = samples::sphere(8);
-    const Mesh other = mesh;
-    const int count = static_cast<int>(mesh.positions.cols());
-    mesh.positions.conservativeResize(3, 2 * count);
-    mesh.positions.rightCols(count) = other.positions.colwise() + Eigen::Vector3d(3, 0, 0);
-    for (int f = 0; f < other.faces.size(); ++f) {
-        std::vector<int> face(other.faces[f].begin(), other.faces[f].end());
-        for (int& v : face) v += count;
-        mesh.faces.add(face);
-    }
-    CHECK(Topology(remeshed(Surface(mesh), of_cells(600), 4).net).component_count() == 2);
+    const Surface spheres(beside(samples::sphere(8), samples::sphere(8), {3, 0, 0}));
+    CHECK(Topology(remeshed(spheres, of_cells(600), 4).net).component_count() == 2);
 }
 
 TEST_CASE("The length and the limit of corners are kept where they are given") {
@@ -870,6 +875,15 @@ TEST_CASE("A hole that is smaller than a cell is covered, and a larger one stays
     CHECK(!without_pinholes(large, 1.001 * around));
 }
 
+TEST_CASE("The border around a piece that is smaller than a cell is none of a hole") {
+    // A square of cells of length 0.5 nearly, and a scrap of it.
+    const Surface both(beside(samples::plane(11, 5), samples::plane(3, 0.245), {7, 0, 0}));
+    CHECK(!without_pinholes(both, 2));
+    const Net net = remesh(std::make_shared<const Guide>(both), of_cells(400)).net;
+    CHECK(Topology(net).component_count() == 2);
+    CHECK(Topology(net).boundary_loops().size() == 2);
+}
+
 TEST_CASE("The distance of borders is measured between them, whatever lies within") {
     const auto square = [](double height) {
         return samples::graph(
@@ -879,6 +893,16 @@ TEST_CASE("The distance of borders is measured between them, whatever lies withi
     const Net net(lifted.positions, lifted.faces, RestLengths::own);
     CHECK(border_distance(Surface(square(0)), net) == Approx(0.25));
     CHECK(border_distance(Surface(samples::sphere(4)), net) == 0);
+}
+
+TEST_CASE("Without a limit of corners a net in one piece is tried as well") {
+    const Surface hill(samples::graph(21, 1, [](double x, double y) { return 0.8 * std::exp(-4 * (x * x + y * y)); }));
+    const SurfaceTree tree(hill);
+    for (const double limit : {0.0, 1e-4}) {
+        const std::optional<Net> net = one_piece(hill, tree, 100, 0, limit);
+        REQUIRE(net);
+        CHECK(net->face_count() > 80);
+    }
 }
 
 TEST_CASE("Ways to end at a border are tried first, and then a net is made once", "[large]") {
@@ -1081,6 +1105,8 @@ TEST_CASE("Wishes that cannot be kept are refused, with what is missing") {
     const WishedSingular at_top{{0, 0, 1}, 3};
     CHECK_THROWS_WITH(refusal(sphere, {{at_top}, {}, true})(), Contains("7 more of valence 3 are missing"));
     CHECK_THROWS_WITH(refusal(sphere, {{9, at_top}, {}, true})(), Contains("1 more of valence 5 is missing"));
+    const Guide spheres(Surface(beside(samples::sphere(4), samples::sphere(4), {3, 0, 0})));
+    CHECK_THROWS_WITH(refusal(spheres, {{}, {}, true})(), Contains("piece 1 of the surface: 8 more"));
     CHECK_NOTHROW(refusal(hypar, {{at_top}, {}, true})());
     CHECK_THROWS_WITH(refusal(sphere, {{{{0, 0, 1}, 4}}, {}, false})(), Contains("valence 4; it must be 3, 5 or 6"));
     CHECK_THROWS_WITH(refusal(sphere, {{{{0, 0, NAN}, 3}}, {}, false})(), Contains("finite"));
@@ -1093,6 +1119,18 @@ TEST_CASE("Wishes that cannot be kept are refused, with what is missing") {
     options.singular.vertices = std::vector(40, at_top);
     CHECK_THROWS_WITH(remesh(std::make_shared<const Guide>(Surface(samples::sphere(8))), options),
                       Contains("no place of its own"));
+}
+
+TEST_CASE("Why there is no net is said of the cells asked for, not of the larger ones that ways were tried with",
+          "[large]") {
+    // Wishes that have places of their own between cells as small as asked for only, and others that never have.
+    RemeshOptions options = of_cells(6000);
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 12; ++j) options.singular.vertices.push_back({{-0.5 + 0.03 * i, 0.03 * j, 0}, 5});
+    const WishedSingular never{{0.5, 0.5, 0}, 5};
+    options.singular.vertices.insert(options.singular.vertices.end(), 40, never);
+    CHECK_THROWS_WITH(remesh(std::make_shared<const Guide>(Surface(samples::plane(41, 1))), options),
+                      Contains("at 0.5 0.5 0 has no place"));
 }
 
 TEST_CASE("A map that folds over still gives quads without gaps") {

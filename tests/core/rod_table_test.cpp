@@ -4,10 +4,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "change/coarsen.h"
 #include "change/refine.h"
 #include "csv_cells.h"
@@ -15,6 +17,7 @@
 #include "net/measures.h"
 #include "net/rods.h"
 #include "sample_nets.h"
+#include "sample_surfaces.h"
 #include "shapes/shapes.h"
 #include "surface/gallery.h"
 
@@ -23,6 +26,15 @@ using namespace chebnet;
 namespace {
 
 std::string table_of(const Net& net, const Positions& positions) { return rod_table(net, Topology(net), positions); }
+
+/// Nothing where no cell fits, or the direction leads off the surface.
+std::optional<Drape> drape_if_any(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {
+    try {
+        return drape(surface, tree, options);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
 
 }  // namespace
 
@@ -55,6 +67,23 @@ TEST_CASE("Every edge of a net that nothing has cut lies on one rod, and those a
     }
     CHECK(edges == tube.edge_count());
     CHECK(closed > 0);
+}
+
+TEST_CASE("Rods around a tube are told to be closed where they pass inward corners, too") {
+    // Every second ring of faces has a window of one of them, where rods begin.
+    const int around = 12, along = 8;
+    const Mesh tube = samples::cylinder(around, along, 2);
+    Faces faces;
+    for (int f = 0; f < tube.faces.size(); ++f)
+        if (f % around != 0 || f / around % 2 == 0) faces.add(tube.faces[f]);
+    const Net net(tube.positions, faces, RestLengths::equal);
+    int closed = 0, loops = 0;
+    for (const std::vector<std::string>& row : samples::cells_of(table_of(net, net.rest_positions()))) {
+        closed += std::stoi(row[3]);
+        loops += std::stoi(row[1]) == around ? 1 : 0;
+    }
+    CHECK(closed == along);
+    CHECK(loops == along);
 }
 
 TEST_CASE("Where the border of a surface has cut a net, the edges along it are of no rod") {
@@ -150,6 +179,44 @@ TEST_CASE("Rims are of no rod where a border has cut most edges of a net of few 
         CHECK(edges < net.edge_count());
         CHECK(lines.size() < topology.net_lines(InwardCorners::pass).size());
     }
+}
+
+TEST_CASE("Every whole edge of a net that was cut is of a rod, and no edge from one end to another is") {
+    std::mt19937 random(11);  // NOLINT(cert-msc51-cpp): the same nets each time
+    std::uniform_int_distribution<int> cells(20, 200);
+    int whole = 0, rims = 0;
+    for (const char* const name : {"hemisphere", "shell", "hypar"}) {
+        const Surface surface = make_own_surface(name);
+        const SurfaceTree tree(surface);
+        for (int k = 0; k < 60; ++k) {
+            DrapeOptions options = suggested_drape(surface, tree, cells(random));
+            options.seed = surface.position_at(samples::random_place(surface, random));
+            options.direction = samples::random_point(1, random);
+            options.border = DrapeOptions::Border::cut;
+            const std::optional<Drape> draped = drape_if_any(surface, tree, options);
+            if (!draped) continue;
+            const Net& net = draped->net;
+            const Topology topology(net);
+            std::vector<bool> is_of_rod(static_cast<std::size_t>(net.edge_count()));
+            for (const std::vector<int>& rod : rods(net, topology, options.length))
+                for (std::size_t i = 1; i < rod.size(); ++i)
+                    is_of_rod[topology.edge_between(rod[i - 1], rod[i])] = true;
+            const int first_end = net.vertex_count() - draped->cut_ends;
+            for (int e = 0; e < net.edge_count(); ++e) {
+                const int a = net.edges()(0, e), b = net.edges()(1, e);
+                const int steps = (draped->places.col(a) - draped->places.col(b)).cwiseAbs().sum();
+                if (b < first_end && steps == 1) {
+                    CHECK(is_of_rod[e]);
+                    ++whole;
+                } else if (a >= first_end) {
+                    CHECK_FALSE(is_of_rod[e]);
+                    ++rims;
+                }
+            }
+        }
+    }
+    CHECK(whole > 10'000);
+    CHECK(rims > 1000);
 }
 
 TEST_CASE("Edges that have no length in common leave every net line a rod, also along the border") {

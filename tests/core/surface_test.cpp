@@ -120,6 +120,7 @@ TEST_CASE("A surface refuses what is none, and says where") {
     const double huge = 1e60, nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(refusal_of(Mesh{Positions::Zero(3, 3), {}}) == "no_faces the surface has no face");
     CHECK_THAT(refusal_of(samples::with_face(tent(), {1, 2, 9})), Contains("index_out_of_range") && Contains("face 3"));
+    CHECK_THAT(refusal_of(samples::with_face(Mesh{Positions(3, 0), {}}, {0, 1, 2})), Contains("index_out_of_range"));
     CHECK_THAT(refusal_of(samples::with_face(tent(), {1, 2, 1})), Contains("repeated_vertex") && Contains("vertex 1"));
     CHECK_THAT(refusal_of(samples::with_face(samples::with_face(tent(), {0, 1, 2, 3}), {0, 1, 0, 2})),
                Contains("face 4 names vertex 0 twice"));
