@@ -143,7 +143,8 @@ std::vector<CutLine> cuts_of(const DrapeArguments& arguments, const Surface& who
         const Positions points = points_in(text, "--cut-to-border");
         if (points.cols() != 1) throw Error(ErrorCode::bad_option, "--cut-to-border: one point is the cut's beginning");
         add([&](const Surface& opened) {
-            return shortest_cut_to_border(opened, SurfaceTree(opened).nearest(points.col(0)).at);
+            return shortest_cut_to_border(
+                opened, point_meant(opened, SurfaceTree(opened), points.col(0), "the beginning of a cut"));
         });
     }
     for (int k = 0; k < arguments.cuts_between_borders; ++k) add(shortest_cut_between_borders);

@@ -776,7 +776,10 @@ TEST_CASE("drape cuts a surface, lays a net on each piece, and reports of each a
     check_refused(box.run(drape + "--cut-to-border 0,x,0"), "--cut-to-border: \"x\" is not a number");
     check_refused(box.run(drape + "--cut-to-border \"0,0,0 1,0,0\""), "one point");
     check_refused(box.run(drape + "--cut-between-borders 1"), "no two borders");
-    check_refused(box.run("drape --surface pebble --cut-to-border 0,0,9"), "no border");
+    check_refused(box.run("drape --surface pebble --cut-to-border 0,0,2"), "no border");
+    check_refused(box.run(drape + "--cut-to-border nan,0,0"), "--cut-to-border: \"nan\" is not finite");
+    check_refused(box.run(drape + "--cut-along \"0,0,0 inf,0,0\""), "--cut-along: \"inf\" is not finite");
+    check_refused(box.run(drape + "--cut-to-border 0,0,1e6"), "the beginning of a cut is 999999");
     check_refused(box.run(drape + "--cut-along \"0,0,0\""), "cut 1 needs at least two points");
     check_refused(box.run(drape + "--cut-along \"0,0,0 0,0,3\""), "away from the surface");
     check_refused(box.run(drape + "--cut-along \"-1,0,0 1,0,0\" --seed 0 0.5 0 --seed 0.1 0.5 0"), "seed 2");
