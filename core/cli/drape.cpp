@@ -133,11 +133,7 @@ std::vector<CutLine> cuts_of(const DrapeArguments& arguments, const Surface& who
     for (const std::string& cut : arguments.cuts) cuts.push_back(cut_line(whole, tree, points_in(cut, "--cut-along")));
     const auto add = [&](const auto& find) {
         const Surface opened = cut_open(whole, cuts);
-        const CutLine line = find(opened);
-        Positions points(3, std::ssize(line));
-        for (std::size_t k = 0; k < line.size(); ++k)
-            points.col(static_cast<Eigen::Index>(k)) = opened.position_at(line[k]);
-        cuts.push_back(cut_line(whole, tree, points));
+        cuts.push_back(cut_line(whole, tree, points_of(opened, find(opened))));
     };
     for (const std::string& text : arguments.cuts_to_border) {
         const Positions points = points_in(text, "--cut-to-border");

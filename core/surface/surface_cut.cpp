@@ -407,13 +407,16 @@ CutLine cut_line(const Surface& surface, const SurfaceTree& tree, const Position
     return line;
 }
 
+Positions points_of(const Surface& surface, const CutLine& line) {
+    Positions points(3, std::ssize(line));
+    for (std::size_t k = 0; k < line.size(); ++k)
+        points.col(static_cast<Eigen::Index>(k)) = surface.position_at(line[k]);
+    return points;
+}
+
 Positions cut_path(const Surface& surface, const CutLine& line, const std::string& name) {
     check_points(surface, line, name);
-    const SurfacePath path = path_of(surface, line, name);
-    Positions points(3, std::ssize(path.points));
-    for (Eigen::Index k = 0; k < points.cols(); ++k)
-        points.col(k) = surface.position_at(path.points[static_cast<std::size_t>(k)]);
-    return points;
+    return points_of(surface, path_of(surface, line, name).points);
 }
 
 Surface cut_open(const Surface& surface, std::span<const CutLine> cuts) {

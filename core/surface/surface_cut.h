@@ -24,6 +24,9 @@ SurfacePoint point_meant(const Surface& surface, const SurfaceTree& tree, const 
 CutLine cut_line(const Surface& surface, const SurfaceTree& tree, const Positions& points,
                  const std::string& name = "a cut");
 
+/// Where points of a surface are in space: 3×N.
+Positions points_of(const Surface& surface, const CutLine& line);
+
 /// How a cut runs over a surface, to be drawn: 3×N. Throws Error as cut_open does.
 Positions cut_path(const Surface& surface, const CutLine& line, const std::string& name = "the cut");
 
