@@ -152,11 +152,11 @@ Json proposals_report(const Surface& surface, const CutProposals& proposals) {
     Json cuts = Json::array();
     for (std::size_t k = 0; k < proposals.cuts.size(); ++k) {
         std::string along;
-        for (const SurfacePoint& point : proposals.cuts[k]) {
-            const Eigen::Vector3d x = surface.position_at(point);
+        const Positions points = points_of(surface, proposals.cuts[k]);
+        for (const auto& x : points.colwise()) {
             if (!along.empty()) along += ' ';
-            along.append(number_text(x.x(), 9)).append(",").append(number_text(x.y(), 9)).append(",");
-            along.append(number_text(x.z(), 9));
+            along.append(exact_text(x.x())).append(",").append(exact_text(x.y())).append(",");
+            along.append(exact_text(x.z()));
         }
         cuts.push_back({{"cut_along", along}, {"coverage_with_it", proposals.coverage[k + 1]}});
     }

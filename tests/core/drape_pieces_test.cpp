@@ -187,6 +187,14 @@ TEST_CASE("Proposed cuts help by as much as is said, and where nothing is to be 
         CHECK(drape_pieces(cut_open(pebble, cuts), options).report.coverage == found.coverage[k]);
         if (k > 0) CHECK(found.coverage[k] > found.coverage[k - 1] + k_least_gain);
     }
+    const Surface torso = make_own_surface("torso");
+    const SurfaceTree torso_tree(torso);
+    options.drape = suggested_drape(torso, torso_tree, 150);
+    const CutProposals near_border = propose_cuts(torso, options.drape, 2);
+    std::vector<CutLine> again;
+    for (const CutLine& cut : near_border.cuts) again.push_back(cut_line(torso, torso_tree, points_of(torso, cut)));
+    CHECK(drape_pieces(cut_open(torso, again), options).report.coverage ==
+          Approx(near_border.coverage.back()).epsilon(1e-9));
 
     const Surface square(samples::plane(15, 1));
     const CutProposals none = propose_cuts(square, suggested_drape(square, SurfaceTree(square), 200), 3);
