@@ -68,7 +68,7 @@ std::optional<Drape> opened_drape(const Guide& guide, const DrapeOptions& option
     const std::optional<Positions> positions = with_opened_corners(laid.net, guide, options.smallest_angle);
     if (!positions) return std::nullopt;
     std::optional<Slits> slits;
-    if (options.slits) slits.emplace(guide.surface(), guide.tree(), options.length);
+    if (options.slits) slits.emplace(guide.surface(), guide.tree(), options.length, options.seam);
     const bool has_slits = slits && !slits->none();
     const Compass compass(guide.surface(), guide.tree(), options.length, has_slits ? &*slits : nullptr);
     const std::vector<DrapedVertex> vertices = draped_vertices(compass, *positions, laid.faces);

@@ -460,7 +460,7 @@ private:
     }
     static std::optional<Slits> slits_of(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {
         std::optional<Slits> slits;
-        if (options.slits) slits.emplace(surface, tree, options.length);
+        if (options.slits) slits.emplace(surface, tree, options.length, options.seam);
         if (slits && slits->none()) slits.reset();
         return slits;
     }
