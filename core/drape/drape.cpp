@@ -218,11 +218,11 @@ private:
         const DrapedVertex &d = m_vertices[corner.d], &a = m_vertices[corner.a], &b = m_vertices[corner.b];
         if (!is_on_surface(d) && !is_on_surface(a) && !is_on_surface(b)) return std::nullopt;
         const auto c = m_compass.across(d, a, b);
-        if (!c || !is_within_limit({d.position, a.position, c->position, b.position}) ||
-            m_compass.is_slit_between(a, *c) || m_compass.is_slit_between(b, *c)) {
+        if (!c || !is_within_limit({d.position, a.position, c->position, b.position})) {
             refuse(place, m_locked);
             return std::nullopt;
         }
+        if (m_compass.is_slit_between(a, *c) || m_compass.is_slit_between(b, *c)) return std::nullopt;
         return is_allowed(place, *c) ? c : std::nullopt;
     }
 
@@ -269,10 +269,12 @@ private:
         return true;
     }
 
-    /// Whether another vertex than `from` is there, on its part of the net.
+    /// Whether another vertex than `from` is there, on its part of the net and its side of slits.
     bool is_known_beside(const GridPlace& place, int from) const {
         for (int vertex = find(place); vertex >= 0; vertex = m_other_at[vertex])
-            if (vertex != from && (m_slits || !are_apart(vertex, from))) return true;
+            if (vertex != from && !are_apart(vertex, from) &&
+                !m_compass.is_slit_between(m_vertices[vertex], m_vertices[from]))
+                return true;
         return false;
     }
 

@@ -141,6 +141,43 @@ TEST_CASE("No edge goes across a slit in a plane, and around its end the net is 
     }
 }
 
+TEST_CASE(
+    "Beside a slit in a plane every cell of the lattice is laid that it does not cross, and none is called locked") {
+    const Surface square(samples::plane(13, 1));
+    struct Case {
+        Eigen::Vector3d from, to, seed, direction;
+        double angle;
+    };
+    const Case cases[] = {
+        {{-0.546, -0.357, 0}, {0.602, 0.276, 0}, {0.461, -0.72, 0}, {-0.3986, -0.2283, 0}, std::numbers::pi / 2},
+        {{-0.018, 0.625, 0}, {-0.382, -0.442, 0}, {0.852, -0.124, 0}, {-0.4287, 0.4622, 0}, 1.3},
+        {{-0.274, 0.759, 0}, {-0.77, -0.036, 0}, {0.317, 0.908, 0}, {-0.0596, -0.1171, 0}, 1.3},
+    };
+    for (const auto& [from, to, seed, direction, angle] : cases) {
+        CAPTURE(seed);
+        PiecesOptions options = wish(0.22, Border::beyond);
+        options.first_seed = true;
+        options.drape.seed = seed;
+        options.drape.direction = direction;
+        options.drape.angle = angle;
+        const Net lattice = drape_pieces(square, options).net;
+        int uncrossed = 0;
+        for (int f = 0; f < lattice.face_count(); ++f) {
+            const std::span<const int> face = lattice.faces()[f];
+            const auto corner = [&](std::size_t k) { return Eigen::Vector3d(lattice.rest_positions().col(face[k])); };
+            bool is_crossed = false;
+            for (std::size_t k = 0; k < 4; ++k)
+                is_crossed = is_crossed || do_cross(corner(k), corner((k + 1) % 4), from, to);
+            uncrossed += !is_crossed;
+        }
+        const DrapedPieces beside = drape_pieces(cut_along(square, {from, to}), options);
+        CHECK(beside.net.face_count() == uncrossed);
+        CHECK(beside.draped[0].drape.locked == 0);
+        options.drape.border = Border::cut;
+        CHECK(drape_pieces(cut_along(square, {from, to}), options).report.coverage > 0.999);
+    }
+}
+
 TEST_CASE("No edge goes across where cuts cross at a small angle, nor across a piece smaller than a cell") {
     const Surface square(samples::graph(14, 1, [](double, double) { return 0; }));
     const SurfaceTree tree(square);
