@@ -232,7 +232,8 @@ Command add_drape(CLI::App& program) {
         .add_option("--direction", arguments->direction,
                     "Of the first family of net lines there, in space; along the x axis if not given")
         ->type_name("X Y Z")
-        ->expected(3);
+        ->type_size(3)
+        ->expected(1);
     CLI::Option* length = command.add_option("--edge,--length", arguments->length, "Length of all edges");
     length->type_name("LENGTH");
     command.add_option("--cells", arguments->cells, "In place of the length: about how many cells cover the surface")
