@@ -49,6 +49,9 @@ struct DrapeArguments {
     bool pieces = false;
     int propose_cuts = 0;
 
+    bool has_seed() const { return !seed.empty(); }
+    bool has_several_seeds() const { return seed.size() > 3; }
+    bool has_direction() const { return !direction.empty(); }
     bool has_cuts() const { return !cuts.empty() || !cuts_to_border.empty() || cuts_between_borders > 0; }
 };
 
@@ -69,11 +72,20 @@ DrapeOptions shared_options(const DrapeArguments& arguments, const Surface& surf
     return options;
 }
 
-DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
+/// Where and how it begins if that is not looked for.
+DrapeOptions given_options(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
     DrapeOptions options = shared_options(arguments, surface, tree);
-    const bool has_seed = !arguments.seed.empty(), has_direction = !arguments.direction.empty();
-    if (has_seed) options.seed = Eigen::Vector3d::Map(arguments.seed.data());
-    if (has_direction) options.direction = Eigen::Vector3d::Map(arguments.direction.data());
+    if (arguments.has_seed()) {
+        options.seed = Eigen::Vector3d::Map(arguments.seed.data());
+        options.direction = suggested_direction(surface, tree, options.seed);
+    }
+    if (arguments.has_direction()) options.direction = Eigen::Vector3d::Map(arguments.direction.data());
+    return options;
+}
+
+DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
+    const DrapeOptions options = given_options(arguments, surface, tree);
+    const bool has_seed = arguments.has_seed(), has_direction = arguments.has_direction();
     if (!arguments.best || (has_seed && has_direction)) return options;
     if (has_seed) return with_best_direction(surface, tree, options);
     const auto propose = has_direction ? propose_seeds : propose_drapes;
@@ -229,8 +241,10 @@ Command add_drape(CLI::App& program) {
         ->expected(1, k_most_seeds)
         ->allow_extra_args(false);
     command
-        .add_option("--direction", arguments->direction,
-                    "Of the first family of net lines there, in space; along the x axis if not given")
+        .add_option(
+            "--direction", arguments->direction,
+            "Of the first family of net lines there, in space; along the x axis if not given, or the y axis where "
+            "that stands upright")
         ->type_name("X Y Z")
         ->type_size(3)
         ->expected(1);

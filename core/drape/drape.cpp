@@ -523,14 +523,19 @@ void check_drape(const Surface& surface, const DrapeOptions& options) {
 DrapeOptions suggested_drape(const Surface& surface, const SurfaceTree& tree, int cells) {
     if (cells < 1) throw Error(ErrorCode::bad_option, "a net has at least one cell");
     if (!(surface.area() > 0)) throw Error(ErrorCode::bad_option, "the surface has no area");
-    const SurfaceTree::Nearest middle = tree.nearest(centre_of_mass(surface));
     DrapeOptions options;
-    options.seed = middle.position;
-    // The normal by which the net begins, which near creases is not the one interpolated from vertices.
-    const Eigen::Vector3d normal = height_at(surface, middle, middle.position).normal;
-    if (std::abs(normal.x()) > k_upright) options.direction = Eigen::Vector3d::UnitY();
+    options.seed = tree.nearest(centre_of_mass(surface)).position;
+    options.direction = suggested_direction(surface, tree, options.seed);
     options.length = std::sqrt(surface.area() / cells);
     return options;
+}
+
+Eigen::Vector3d suggested_direction(const Surface& surface, const SurfaceTree& tree, const Eigen::Vector3d& seed) {
+    if (!seed.allFinite()) throw Error(ErrorCode::non_finite, "the seed has a coordinate that is not finite");
+    const SurfaceTree::Nearest nearest = tree.nearest(seed);
+    // The normal by which the net begins, which near creases is not the one interpolated from vertices.
+    const Eigen::Vector3d normal = height_at(surface, nearest, nearest.position).normal;
+    return std::abs(normal.x()) > k_upright ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
 }
 
 Drape drape(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {

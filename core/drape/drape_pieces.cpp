@@ -44,8 +44,6 @@ std::map<int, Eigen::Vector3d> seeds_by_piece(const Surface& surface, const std:
 constexpr double k_clear_of_border = 2;
 // In edge lengths: how far off a curve may be that lies on a piece.
 constexpr double k_on_piece = 1e-6;
-// A cosine: the x axis is no direction where the normal is nearer to it.
-constexpr double k_along_x = 0.9;
 
 /// Of each vertex, to the nearest border; infinity if there is none.
 std::vector<double> distances_from_border(const Surface& surface) {
@@ -56,25 +54,21 @@ std::vector<double> distances_from_border(const Surface& surface) {
 }
 
 /// In the middle or, where that is near a border or a slit, as far from these as can be.
-DrapeOptions beginning_on(const Guide& piece, double length) {
+Eigen::Vector3d beginning_on(const Guide& piece, double length) {
     const Surface& surface = piece.surface();
-    DrapeOptions beginning = suggested_drape(surface, piece.tree(), 1);
+    const Eigen::Vector3d middle = suggested_drape(surface, piece.tree(), 1).seed;
     const std::vector<double> distances = distances_from_border(surface);
-    const int nearest = surface.triangles()(0, piece.tree().nearest(beginning.seed).at.face);
-    if (distances[nearest] >= k_clear_of_border * length) return beginning;
+    const int nearest = surface.triangles()(0, piece.tree().nearest(middle).at.face);
+    if (distances[nearest] >= k_clear_of_border * length) return middle;
     const auto farthest = std::max_element(distances.begin(), distances.end()) - distances.begin();
-    beginning.seed = surface.positions().col(farthest);
-    const bool is_along_x = std::abs(surface.vertex_normals()(0, farthest)) > k_along_x;
-    beginning.direction = is_along_x ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
-    return beginning;
+    return surface.positions().col(farthest);
 }
 
 DrapeOptions options_on(const Guide& piece, const PiecesOptions& options, const Eigen::Vector3d* seed) {
-    const DrapeOptions suggested = beginning_on(piece, options.drape.length);
     DrapeOptions own = options.drape;
     own.slits = true;  // trials keep to them, too
-    own.seed = seed != nullptr ? *seed : suggested.seed;
-    if (!options.has_direction) own.direction = suggested.direction;
+    own.seed = seed != nullptr ? *seed : beginning_on(piece, options.drape.length);
+    if (!options.has_direction) own.direction = suggested_direction(piece.surface(), piece.tree(), own.seed);
     if (!options.best || (seed != nullptr && options.has_direction)) return own;
     if (seed != nullptr) return with_best_direction(piece.surface(), piece.tree(), own);
     const auto propose = options.has_direction ? propose_seeds : propose_drapes;

@@ -817,6 +817,16 @@ TEST_CASE("drape takes surfaces of our own, and begins in the middle") {
     CHECK(report.at("net").at("rods") > 40);
     CHECK(box.run("info net.obj").json().at("chebyshev") == true);
 
+    // Where the x axis is upright, the y axis is the direction; numbers may begin with a minus sign.
+    box.write("cube.obj",
+              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+              "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    for (const char* options : {"", " --pieces", " --direction 0 -.2 -1"})
+        CHECK(
+            box.run(std::string("drape cube.obj --cells 100 --seed 1 0.5 0.5") + options).json().at("net").at("cells") >
+            10);
+    check_refused(box.run("drape cube.obj --cells 100 --seed nan 0 0"), "the seed has a coordinate that is not finite");
+
     const json middle = box.run("drape --surface torso --cells 300").json();
     const json best = box.run("drape --surface torso --cells 300 --best").json();
     CHECK(best.at("net").at("coverage") > middle.at("net").at("coverage"));
