@@ -75,11 +75,13 @@ DrapeOptions options_on(const Guide& piece, const PiecesOptions& options, const 
     return propose(piece.surface(), piece.tree(), own).front().options;
 }
 
-/// The points of a surface that are nearest to some others.
+/// A curve's points on the surface.
 Positions laid_onto(const Surface& surface, const Positions& points) {
     const SurfaceTree tree(surface);
     Positions laid(3, points.cols());
-    for (Eigen::Index k = 0; k < points.cols(); ++k) laid.col(k) = tree.nearest(points.col(k)).position;
+    for (Eigen::Index k = 0; k < points.cols(); ++k)
+        laid.col(k) = surface.position_at(
+            point_meant(surface, tree, points.col(k), "point " + std::to_string(k + 1) + " of the curve"));
     return laid;
 }
 
