@@ -121,7 +121,7 @@ DrapedPiece draped_from(int number, const std::shared_ptr<const Guide>& piece, D
     own.slits = true;
     const bool has_curve = own.arms == DrapeOptions::Arms::curve;
     if (has_curve && !is_on(*piece, own.along, k_on_piece * own.length)) own.arms = DrapeOptions::Arms::geodesic;
-    Drape draped = leave > 0 ? bridged_drape(piece, own, leave) : drape(piece->surface(), piece->tree(), own);
+    Drape draped = leave != 0 ? bridged_drape(piece, own, leave) : drape(piece->surface(), piece->tree(), own);
     const DrapeReport report = measure_drape(piece->surface(), piece->tree(), draped.net, own.length);
     return {number, piece->surface().area(), own, std::move(draped), report};
 }
