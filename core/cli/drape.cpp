@@ -121,18 +121,19 @@ Json pieces_report(const DrapedPieces& made) {
 
 PiecesOptions pieces_options(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
     PiecesOptions options;
+    options.leave = arguments.leave;
     if (arguments.propose_cuts > 0) {
-        if (arguments.seed.size() > 3) throw Error(ErrorCode::bad_option, "--propose-cuts tries nets from one --seed");
+        if (arguments.has_several_seeds())
+            throw Error(ErrorCode::bad_option, "--propose-cuts tries nets from one --seed");
         options.drape = options_of(arguments, surface, tree);
-        options.leave = arguments.leave;
         options.first_seed = true;
         return options;
     }
-    options.drape = shared_options(arguments, surface, tree);
+    options.drape = given_options(arguments, surface, tree);
     options.best = arguments.best;
-    options.leave = arguments.leave;
-    options.has_direction = !arguments.direction.empty();
-    if (options.has_direction) options.drape.direction = Eigen::Vector3d::Map(arguments.direction.data());
+    options.has_direction = arguments.has_direction();
+    options.first_seed = arguments.has_seed() && !arguments.has_several_seeds();
+    if (!arguments.has_several_seeds()) return options;
     for (std::size_t k = 0; k + 2 < arguments.seed.size(); k += 3)
         options.seeds.emplace_back(Eigen::Vector3d::Map(&arguments.seed[k]));
     return options;
@@ -203,7 +204,7 @@ int run_pieces(const DrapeArguments& arguments) {
 }
 
 int run_drape(const DrapeArguments& arguments) {
-    if (arguments.pieces || arguments.has_cuts() || arguments.seed.size() > 3 || arguments.propose_cuts > 0)
+    if (arguments.pieces || arguments.has_cuts() || arguments.has_several_seeds() || arguments.propose_cuts > 0)
         return run_pieces(arguments);
     Surface loaded = load_surface(arguments.surface);
     Stopwatch watch;
@@ -235,7 +236,7 @@ Command add_drape(CLI::App& program) {
     command
         .add_option("--seed", arguments->seed,
                     "Where to begin: the point of the surface nearest to this one; its middle if not given. Given "
-                    "several times: a net from each, on pieces of their own")
+                    "several times: a net from each, on pieces of their own, and none on others")
         ->type_name("X Y Z")
         ->type_size(3)
         ->expected(1, k_most_seeds)

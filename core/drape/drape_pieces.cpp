@@ -166,17 +166,19 @@ DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& wanted) {
     std::optional<Error> refused;
     for (int number = 0; number < std::ssize(pieces); ++number) {
         const double area = pieces[number].area();
-        const auto seed = seeds.find(number);
-        if (!seeds.empty() && seed == seeds.end()) {
+        const auto found = seeds.find(number);
+        if (!seeds.empty() && found == seeds.end()) {
             bare.push_back({number, area, k_no_seed});
             continue;
         }
+        const Eigen::Vector3d* seed = found != seeds.end() ? &found->second : nullptr;
+        if (number == first) seed = &options.drape.seed;
+        const bool is_given = number == first && (!options.best || options.has_direction);
         try {
             options.drape.seam = vertices_at(pieces[number], cuts);
             const auto piece = std::make_shared<const Guide>(std::move(pieces[number]));
-            draped.push_back(number == first
-                                 ? draped_from(number, piece, options.drape, options.leave)
-                                 : draped_piece(number, piece, options, seed == seeds.end() ? nullptr : &seed->second));
+            draped.push_back(is_given ? draped_from(number, piece, options.drape, options.leave)
+                                      : draped_piece(number, piece, options, seed));
         } catch (const Error& error) {
             if (!refused) refused = error;
             bare.push_back({number, area, error.what()});

@@ -232,6 +232,21 @@ TEST_CASE("Seeds choose pieces, and pieces without a net say why") {
     options.seeds = {{0, 0.5, 0}, {0.3, 0.4, 0}};
     CHECK_THROWS_WITH(drape_pieces(halves, options), Contains("seed 2 is on a piece"));
 
+    // One for where the first net begins leaves the others as they are.
+    options.seeds.clear();
+    options.first_seed = true;
+    options.drape.seed = {0, 0.5, 0};
+    options.best = true;
+    const DrapedPieces both = drape_pieces(halves, options);
+    REQUIRE(both.draped.size() == 2);
+    CHECK(both.bare.empty());
+    CHECK(both.draped[0].options.seed == options.drape.seed);
+
+    for (const double leave : {-1., std::nan("")}) {
+        options.leave = leave;
+        CHECK_THROWS_WITH(drape_pieces(halves, options), Contains("leave the surface by more than 0"));
+    }
+
     const Surface sliver = cut_along(square, {{-1, 0.99, 0}, {1, 0.99, 0}});
     const DrapedPieces rest = drape_pieces(sliver, wish(0.1, Border::inside));
     CHECK(rest.draped.size() == 1);
