@@ -49,6 +49,9 @@ struct DrapeArguments {
     bool pieces = false;
     int propose_cuts = 0;
 
+    bool has_seed() const { return !seed.empty(); }
+    bool has_several_seeds() const { return seed.size() > 3; }
+    bool has_direction() const { return !direction.empty(); }
     bool has_cuts() const { return !cuts.empty() || !cuts_to_border.empty() || cuts_between_borders > 0; }
 };
 
@@ -69,11 +72,20 @@ DrapeOptions shared_options(const DrapeArguments& arguments, const Surface& surf
     return options;
 }
 
-DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
+/// Where and how it begins if that is not looked for.
+DrapeOptions given_options(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
     DrapeOptions options = shared_options(arguments, surface, tree);
-    const bool has_seed = !arguments.seed.empty(), has_direction = !arguments.direction.empty();
-    if (has_seed) options.seed = Eigen::Vector3d::Map(arguments.seed.data());
-    if (has_direction) options.direction = Eigen::Vector3d::Map(arguments.direction.data());
+    if (arguments.has_seed()) {
+        options.seed = Eigen::Vector3d::Map(arguments.seed.data());
+        options.direction = suggested_direction(surface, tree, options.seed);
+    }
+    if (arguments.has_direction()) options.direction = Eigen::Vector3d::Map(arguments.direction.data());
+    return options;
+}
+
+DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
+    const DrapeOptions options = given_options(arguments, surface, tree);
+    const bool has_seed = arguments.has_seed(), has_direction = arguments.has_direction();
     if (!arguments.best || (has_seed && has_direction)) return options;
     if (has_seed) return with_best_direction(surface, tree, options);
     const auto propose = has_direction ? propose_seeds : propose_drapes;
@@ -109,18 +121,19 @@ Json pieces_report(const DrapedPieces& made) {
 
 PiecesOptions pieces_options(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
     PiecesOptions options;
+    options.leave = arguments.leave;
     if (arguments.propose_cuts > 0) {
-        if (arguments.seed.size() > 3) throw Error(ErrorCode::bad_option, "--propose-cuts tries nets from one --seed");
+        if (arguments.has_several_seeds())
+            throw Error(ErrorCode::bad_option, "--propose-cuts tries nets from one --seed");
         options.drape = options_of(arguments, surface, tree);
-        options.leave = arguments.leave;
         options.first_seed = true;
         return options;
     }
-    options.drape = shared_options(arguments, surface, tree);
+    options.drape = given_options(arguments, surface, tree);
     options.best = arguments.best;
-    options.leave = arguments.leave;
-    options.has_direction = !arguments.direction.empty();
-    if (options.has_direction) options.drape.direction = Eigen::Vector3d::Map(arguments.direction.data());
+    options.has_direction = arguments.has_direction();
+    options.first_seed = arguments.has_seed() && !arguments.has_several_seeds();
+    if (!arguments.has_several_seeds()) return options;
     for (std::size_t k = 0; k + 2 < arguments.seed.size(); k += 3)
         options.seeds.emplace_back(Eigen::Vector3d::Map(&arguments.seed[k]));
     return options;
@@ -133,17 +146,14 @@ std::vector<CutLine> cuts_of(const DrapeArguments& arguments, const Surface& who
     for (const std::string& cut : arguments.cuts) cuts.push_back(cut_line(whole, tree, points_in(cut, "--cut-along")));
     const auto add = [&](const auto& find) {
         const Surface opened = cut_open(whole, cuts);
-        const CutLine line = find(opened);
-        Positions points(3, std::ssize(line));
-        for (std::size_t k = 0; k < line.size(); ++k)
-            points.col(static_cast<Eigen::Index>(k)) = opened.position_at(line[k]);
-        cuts.push_back(cut_line(whole, tree, points));
+        cuts.push_back(cut_line(whole, tree, points_of(opened, find(opened))));
     };
     for (const std::string& text : arguments.cuts_to_border) {
         const Positions points = points_in(text, "--cut-to-border");
         if (points.cols() != 1) throw Error(ErrorCode::bad_option, "--cut-to-border: one point is the cut's beginning");
         add([&](const Surface& opened) {
-            return shortest_cut_to_border(opened, SurfaceTree(opened).nearest(points.col(0)).at);
+            return shortest_cut_to_border(
+                opened, point_meant(opened, SurfaceTree(opened), points.col(0), "the beginning of a cut"));
         });
     }
     for (int k = 0; k < arguments.cuts_between_borders; ++k) add(shortest_cut_between_borders);
@@ -155,11 +165,11 @@ Json proposals_report(const Surface& surface, const CutProposals& proposals) {
     Json cuts = Json::array();
     for (std::size_t k = 0; k < proposals.cuts.size(); ++k) {
         std::string along;
-        for (const SurfacePoint& point : proposals.cuts[k]) {
-            const Eigen::Vector3d x = surface.position_at(point);
+        const Positions points = points_of(surface, proposals.cuts[k]);
+        for (const auto& x : points.colwise()) {
             if (!along.empty()) along += ' ';
-            along.append(number_text(x.x(), 9)).append(",").append(number_text(x.y(), 9)).append(",");
-            along.append(number_text(x.z(), 9));
+            along.append(exact_text(x.x())).append(",").append(exact_text(x.y())).append(",");
+            along.append(exact_text(x.z()));
         }
         cuts.push_back({{"cut_along", along}, {"coverage_with_it", proposals.coverage[k + 1]}});
     }
@@ -194,7 +204,7 @@ int run_pieces(const DrapeArguments& arguments) {
 }
 
 int run_drape(const DrapeArguments& arguments) {
-    if (arguments.pieces || arguments.has_cuts() || arguments.seed.size() > 3 || arguments.propose_cuts > 0)
+    if (arguments.pieces || arguments.has_cuts() || arguments.has_several_seeds() || arguments.propose_cuts > 0)
         return run_pieces(arguments);
     Surface loaded = load_surface(arguments.surface);
     Stopwatch watch;
@@ -226,16 +236,19 @@ Command add_drape(CLI::App& program) {
     command
         .add_option("--seed", arguments->seed,
                     "Where to begin: the point of the surface nearest to this one; its middle if not given. Given "
-                    "several times: a net from each, on pieces of their own")
+                    "several times: a net from each, on pieces of their own, and none on others")
         ->type_name("X Y Z")
         ->type_size(3)
         ->expected(1, k_most_seeds)
         ->allow_extra_args(false);
     command
-        .add_option("--direction", arguments->direction,
-                    "Of the first family of net lines there, in space; along the x axis if not given")
+        .add_option(
+            "--direction", arguments->direction,
+            "Of the first family of net lines there, in space; along the x axis if not given, or the y axis where "
+            "that stands upright")
         ->type_name("X Y Z")
-        ->expected(3);
+        ->type_size(3)
+        ->expected(1);
     CLI::Option* length = command.add_option("--edge,--length", arguments->length, "Length of all edges");
     length->type_name("LENGTH");
     command.add_option("--cells", arguments->cells, "In place of the length: about how many cells cover the surface")

@@ -1,5 +1,6 @@
 #include "points_argument.h"
 
+#include <cmath>
 #include <optional>
 #include <sstream>
 #include <vector>
@@ -23,6 +24,7 @@ Positions points_in(const std::string& text, const std::string& option) {
         for (std::string part; std::getline(parts, part, ','); ++count) {
             const std::optional<double> number = parse_number(part);
             if (!number) refuse(part, "is not a number");
+            if (!std::isfinite(*number)) refuse(part, "is not finite");
             numbers.push_back(*number);
         }
         if (count != 3) refuse(word, "should be three numbers, as in 1,0,2.5");

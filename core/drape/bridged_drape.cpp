@@ -81,7 +81,7 @@ std::optional<Drape> opened_drape(const Guide& guide, const DrapeOptions& option
     const std::optional<Positions> positions = with_opened_corners(laid.net, guide, options.smallest_angle);
     if (!positions) return std::nullopt;
     std::optional<Slits> own;
-    if (options.slits) own.emplace(guide.surface(), guide.tree(), options.length);
+    if (options.slits) own.emplace(guide.surface(), guide.tree(), options.length, options.seam);
     const Slits* const slits = own && !own->none() ? &*own : nullptr;
     const Compass compass(guide.surface(), guide.tree(), options.length, slits);
     const std::vector<DrapedVertex> vertices = draped_vertices(compass, *positions, laid.faces);

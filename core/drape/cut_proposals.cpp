@@ -125,12 +125,16 @@ std::vector<SurfacePoint> ends_on(const Surface& surface, const std::vector<CutL
     return ends;
 }
 
-std::vector<CutLine> candidates(const Surface& surface, const std::vector<CutLine>& cuts,
+std::vector<CutLine> candidates(const Surface& surface, const SurfaceTree& tree, const std::vector<CutLine>& cuts,
                                 const std::vector<SurfacePoint>& places) {
     std::vector<CutLine> lines;
+    // As it will be where its points are given again, ends near the border being moved there.
+    const auto add = [&](const SurfacePoint& from, const SurfacePoint& to) {
+        lines.push_back(cut_line(surface, tree, points_of(surface, {from, to})));
+    };
     const std::vector<SurfacePoint> ends = ends_on(surface, cuts);
     for (std::size_t i = 0; i < places.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) lines.push_back({places[j], places[i]});
+        for (std::size_t j = 0; j < i; ++j) add(places[j], places[i]);
         if (ends.empty()) continue;
         const std::vector<double> distances = geodesic_distances(surface, {{places[i]}});
         const auto distance = [&](const SurfacePoint& end) {
@@ -138,9 +142,8 @@ std::vector<CutLine> candidates(const Surface& surface, const std::vector<CutLin
             end.weights.maxCoeff(&corner);
             return distances[surface.triangles()(corner, end.face)];
         };
-        lines.push_back({places[i], *std::min_element(ends.begin(), ends.end(), [&](const auto& a, const auto& b) {
-                             return distance(a) < distance(b);
-                         })});
+        add(places[i], *std::min_element(ends.begin(), ends.end(),
+                                         [&](const auto& a, const auto& b) { return distance(a) < distance(b); }));
     }
     return lines;
 }
@@ -171,13 +174,14 @@ std::vector<Trial> tried(const Surface& surface, const std::vector<CutLine>& cut
 }  // namespace
 
 CutProposals propose_cuts(const Surface& surface, const DrapeOptions& options, int most) {
+    const SurfaceTree tree(surface);
     const double trial_length = std::max(options.length, std::sqrt(surface.area() / k_cut_trial_cells));
     CutProposals proposals{{}, {laid(surface, {}, options, options.length).report.coverage}};
     while (std::ssize(proposals.cuts) < most) {
         const DrapedPieces now = laid(surface, proposals.cuts, options, trial_length);
         const std::vector<SurfacePoint> places = worst_places(surface, faults_of(surface, now.net, trial_length));
         std::vector<Trial> trials =
-            tried(surface, proposals.cuts, candidates(surface, proposals.cuts, places), options, trial_length);
+            tried(surface, proposals.cuts, candidates(surface, tree, proposals.cuts, places), options, trial_length);
         trials.resize(std::min(trials.size(), k_cut_finals), {});
         double best = proposals.coverage.back() + k_least_gain;
         const CutLine* found = nullptr;

@@ -216,11 +216,11 @@ private:
         const DrapedVertex &d = m_vertices[corner.d], &a = m_vertices[corner.a], &b = m_vertices[corner.b];
         if (!is_on_surface(d) && !is_on_surface(a) && !is_on_surface(b)) return std::nullopt;
         const auto c = m_compass.across(d, a, b);
-        if (!c || !is_within_limit({d.position, a.position, c->position, b.position}) ||
-            m_compass.is_slit_between(a, *c) || m_compass.is_slit_between(b, *c)) {
+        if (!c || !is_within_limit({d.position, a.position, c->position, b.position})) {
             refuse(place, m_locked);
             return std::nullopt;
         }
+        if (m_compass.is_slit_between(a, *c) || m_compass.is_slit_between(b, *c)) return std::nullopt;
         return is_allowed(place, *c) ? c : std::nullopt;
     }
 
@@ -267,10 +267,12 @@ private:
         return true;
     }
 
-    /// Whether another vertex than `from` is there, on its part of the net.
+    /// Whether another vertex than `from` is there, on its part of the net and its side of slits.
     bool is_known_beside(const GridPlace& place, int from) const {
         for (int vertex = find(place); vertex >= 0; vertex = m_other_at[vertex])
-            if (vertex != from && (m_slits || !are_apart(vertex, from))) return true;
+            if (vertex != from && !are_apart(vertex, from) &&
+                !m_compass.is_slit_between(m_vertices[vertex], m_vertices[from]))
+                return true;
         return false;
     }
 
@@ -437,7 +439,7 @@ private:
     }
     static std::optional<Slits> slits_of(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {
         std::optional<Slits> slits;
-        if (options.slits) slits.emplace(surface, tree, options.length);
+        if (options.slits) slits.emplace(surface, tree, options.length, options.seam);
         if (slits && slits->none()) slits.reset();
         return slits;
     }
@@ -498,14 +500,19 @@ void check_drape(const Surface& surface, const DrapeOptions& options) {
 DrapeOptions suggested_drape(const Surface& surface, const SurfaceTree& tree, int cells) {
     if (cells < 1) throw Error(ErrorCode::bad_option, "a net has at least one cell");
     if (!(surface.area() > 0)) throw Error(ErrorCode::bad_option, "the surface has no area");
-    const SurfaceTree::Nearest middle = tree.nearest(centre_of_mass(surface));
     DrapeOptions options;
-    options.seed = middle.position;
-    // The normal by which the net begins, which near creases is not the one interpolated from vertices.
-    const Eigen::Vector3d normal = height_at(surface, middle, middle.position).normal;
-    if (std::abs(normal.x()) > k_upright) options.direction = Eigen::Vector3d::UnitY();
+    options.seed = tree.nearest(centre_of_mass(surface)).position;
+    options.direction = suggested_direction(surface, tree, options.seed);
     options.length = std::sqrt(surface.area() / cells);
     return options;
+}
+
+Eigen::Vector3d suggested_direction(const Surface& surface, const SurfaceTree& tree, const Eigen::Vector3d& seed) {
+    if (!seed.allFinite()) throw Error(ErrorCode::non_finite, "the seed has a coordinate that is not finite");
+    const SurfaceTree::Nearest nearest = tree.nearest(seed);
+    // The normal by which the net begins, which near creases is not the one interpolated from vertices.
+    const Eigen::Vector3d normal = height_at(surface, nearest, nearest.position).normal;
+    return std::abs(normal.x()) > k_upright ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
 }
 
 Drape drape(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {

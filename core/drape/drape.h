@@ -41,14 +41,18 @@ struct DrapeOptions {
     Positions along{};
     /// Where boundary runs along boundary, as along a cut, no edge goes across. Else what is near enough is joined.
     bool slits = false;
-    /// Of each vertex of the surface, whether it was cut from another there; empty where it was nowhere.
+    /// Of each vertex of the surface, whether it was cut from another there; empty where it was nowhere. With `slits`
+    /// no edge goes across such places, either.
     std::vector<bool> seam{};
     bool beyond_cuts = false;  ///< with Border::beyond cells go over cuts, too: for rods that are to be cut there later
 };
 
-/// A beginning for want of a better one: from the point nearest to the centre of mass, along the x axis or, where that
-/// is nearly upright, the y axis, with the length that gives about so many `cells` (≥ 1) if the whole is covered.
+/// A beginning for want of a better one: from the point nearest to the centre of mass in the suggested direction, with
+/// the length that gives about so many `cells` (≥ 1) if the whole is covered.
 DrapeOptions suggested_drape(const Surface& surface, const SurfaceTree& tree, int cells);
+
+/// From a seed: along the x axis or, where that is nearly upright, the y axis. Throws Error non_finite.
+Eigen::Vector3d suggested_direction(const Surface& surface, const SurfaceTree& tree, const Eigen::Vector3d& seed);
 
 /// A net on a surface, and why it is not larger: how many times a further vertex was refused.
 struct Drape {

@@ -44,8 +44,6 @@ std::map<int, Eigen::Vector3d> seeds_by_piece(const Surface& surface, const std:
 constexpr double k_clear_of_border = 2;
 // In edge lengths: how far off a curve may be that lies on a piece.
 constexpr double k_on_piece = 1e-6;
-// A cosine: the x axis is no direction where the normal is nearer to it.
-constexpr double k_along_x = 0.9;
 
 /// Of each vertex, to the nearest border; infinity if there is none.
 std::vector<double> distances_from_border(const Surface& surface) {
@@ -56,36 +54,34 @@ std::vector<double> distances_from_border(const Surface& surface) {
 }
 
 /// In the middle or, where that is near a border or a slit, as far from these as can be.
-DrapeOptions beginning_on(const Guide& piece, double length) {
+Eigen::Vector3d beginning_on(const Guide& piece, double length) {
     const Surface& surface = piece.surface();
-    DrapeOptions beginning = suggested_drape(surface, piece.tree(), 1);
+    const Eigen::Vector3d middle = suggested_drape(surface, piece.tree(), 1).seed;
     const std::vector<double> distances = distances_from_border(surface);
-    const int nearest = surface.triangles()(0, piece.tree().nearest(beginning.seed).at.face);
-    if (distances[nearest] >= k_clear_of_border * length) return beginning;
+    const int nearest = surface.triangles()(0, piece.tree().nearest(middle).at.face);
+    if (distances[nearest] >= k_clear_of_border * length) return middle;
     const auto farthest = std::max_element(distances.begin(), distances.end()) - distances.begin();
-    beginning.seed = surface.positions().col(farthest);
-    const bool is_along_x = std::abs(surface.vertex_normals()(0, farthest)) > k_along_x;
-    beginning.direction = is_along_x ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
-    return beginning;
+    return surface.positions().col(farthest);
 }
 
 DrapeOptions options_on(const Guide& piece, const PiecesOptions& options, const Eigen::Vector3d* seed) {
-    const DrapeOptions suggested = beginning_on(piece, options.drape.length);
     DrapeOptions own = options.drape;
     own.slits = true;  // trials keep to them, too
-    own.seed = seed != nullptr ? *seed : suggested.seed;
-    if (!options.has_direction) own.direction = suggested.direction;
+    own.seed = seed != nullptr ? *seed : beginning_on(piece, options.drape.length);
+    if (!options.has_direction) own.direction = suggested_direction(piece.surface(), piece.tree(), own.seed);
     if (!options.best || (seed != nullptr && options.has_direction)) return own;
     if (seed != nullptr) return with_best_direction(piece.surface(), piece.tree(), own);
     const auto propose = options.has_direction ? propose_seeds : propose_drapes;
     return propose(piece.surface(), piece.tree(), own).front().options;
 }
 
-/// The points of a surface that are nearest to some others.
+/// A curve's points on the surface.
 Positions laid_onto(const Surface& surface, const Positions& points) {
     const SurfaceTree tree(surface);
     Positions laid(3, points.cols());
-    for (Eigen::Index k = 0; k < points.cols(); ++k) laid.col(k) = tree.nearest(points.col(k)).position;
+    for (Eigen::Index k = 0; k < points.cols(); ++k)
+        laid.col(k) = surface.position_at(
+            point_meant(surface, tree, points.col(k), "point " + std::to_string(k + 1) + " of the curve"));
     return laid;
 }
 
@@ -125,7 +121,7 @@ DrapedPiece draped_from(int number, const std::shared_ptr<const Guide>& piece, D
     own.slits = true;
     const bool has_curve = own.arms == DrapeOptions::Arms::curve;
     if (has_curve && !is_on(*piece, own.along, k_on_piece * own.length)) own.arms = DrapeOptions::Arms::geodesic;
-    Drape draped = leave > 0 ? bridged_drape(piece, own, leave) : drape(piece->surface(), piece->tree(), own);
+    Drape draped = leave != 0 ? bridged_drape(piece, own, leave) : drape(piece->surface(), piece->tree(), own);
     const DrapeReport report = measure_drape(piece->surface(), piece->tree(), draped.net, own.length);
     return {number, piece->surface().area(), own, std::move(draped), report};
 }
@@ -170,17 +166,19 @@ DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& wanted) {
     std::optional<Error> refused;
     for (int number = 0; number < std::ssize(pieces); ++number) {
         const double area = pieces[number].area();
-        const auto seed = seeds.find(number);
-        if (!seeds.empty() && seed == seeds.end()) {
+        const auto found = seeds.find(number);
+        if (!seeds.empty() && found == seeds.end()) {
             bare.push_back({number, area, k_no_seed});
             continue;
         }
+        const Eigen::Vector3d* seed = found != seeds.end() ? &found->second : nullptr;
+        if (number == first) seed = &options.drape.seed;
+        const bool is_given = number == first && (!options.best || options.has_direction);
         try {
             options.drape.seam = vertices_at(pieces[number], cuts);
             const auto piece = std::make_shared<const Guide>(std::move(pieces[number]));
-            draped.push_back(number == first
-                                 ? draped_from(number, piece, options.drape, options.leave)
-                                 : draped_piece(number, piece, options, seed == seeds.end() ? nullptr : &seed->second));
+            draped.push_back(is_given ? draped_from(number, piece, options.drape, options.leave)
+                                      : draped_piece(number, piece, options, seed));
         } catch (const Error& error) {
             if (!refused) refused = error;
             bare.push_back({number, area, error.what()});

@@ -14,9 +14,10 @@ struct PiecesOptions {
                                  ///< which not all of the curve is that they were to run along
     bool best = false;           ///< each begins where the best of several trials does (see propose_drapes), one with a
                                  ///< seed in the best direction there, all in that of `drape` if `has_direction`
-    double leave = 0;            ///< above 0: how far each may leave the surface (see bridged_drape), in edge lengths
+    double leave = 0;            ///< but for 0: how far each may leave the surface (see bridged_drape), in edge lengths
     bool has_direction = false;  ///< all have the direction of `drape`
-    bool first_seed = false;     ///< on its piece, the net has the seed and the direction of `drape`
+    bool first_seed = false;     ///< on its piece, the net has the seed of `drape`, and its direction unless the best
+                                 ///< is looked for
     std::vector<Eigen::Vector3d> seeds;  ///< none: a net on each piece; else one for each of these, on its piece
 };
 

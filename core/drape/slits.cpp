@@ -17,25 +17,30 @@ constexpr double k_near_slit = 3;
 
 }  // namespace
 
-Slits::Slits(const Surface& surface, const SurfaceTree& tree, double reach) : m_surface(surface), m_tree(tree) {
-    find_banks();
+Slits::Slits(const Surface& surface, const SurfaceTree& tree, double reach, const std::vector<bool>& seam)
+    : m_surface(surface), m_tree(tree) {
+    find_banks(seam);
     if (!none()) find_near(reach);
 }
 
-/// Vertices of sides that face another, numbered by runs along the boundary. At the end of a slit it turns back.
-void Slits::find_banks() {
+/// Vertices of sides that face another, or another surface, numbered by runs along the boundary. At the end of a slit
+/// it turns back.
+void Slits::find_banks(const std::vector<bool>& seam) {
     const std::vector<int> facing = facing_sides(m_surface);
+    const auto is_cut = [&](int side) {
+        return facing[side] >= 0 || (!seam.empty() && seam[m_surface.from(side)] && seam[m_surface.to(side)]);
+    };
     const auto turns_back = [&](int side, int next) { return facing[side] == next; };
     int bank = 0;
     for (const std::vector<int>& loop : m_surface.boundary_loops()) {
         const std::size_t n = loop.size();
         std::size_t start = 0;  // behind a place where no bank goes on
         for (std::size_t k = 0; k < n; ++k)
-            if (facing[loop[k]] < 0 || turns_back(loop[k], loop[(k + 1) % n])) start = (k + 1) % n;
+            if (!is_cut(loop[k]) || turns_back(loop[k], loop[(k + 1) % n])) start = (k + 1) % n;
         ++bank;
         for (std::size_t k = 0; k < n; ++k) {
             const int side = loop[(start + k) % n], next = loop[(start + k + 1) % n];
-            if (facing[side] < 0) {
+            if (!is_cut(side)) {
                 ++bank;
                 continue;
             }
@@ -110,14 +115,17 @@ SurfaceTree::Nearest Slits::descended(const Eigen::Vector3d& point, int from) co
     return best;
 }
 
-/// Whether the straight way from a vertex on the surface to a point near it ends at a slit.
-bool Slits::runs_into_slit(const DrapedVertex& from, const Eigen::Vector3d& to) const {
-    const Eigen::Vector3d direction = to - from.position;
+/// Whether the straight way from a vertex on the surface to another ends at a bank on which neither stands.
+bool Slits::runs_into_bank(const DrapedVertex& from, const DrapedVertex& to) const {
+    const int bank_to = bank_of(to.at);
+    const Eigen::Vector3d target = bank_to > 0 ? m_surface.position_at(to.at) : to.position;
+    const Eigen::Vector3d direction = target - from.position;
     try {
         GeodesicWalk walk(m_surface, from.at, direction);
         double rest = direction.norm();
         while (rest > 0 && !walk.is_at_boundary()) rest -= walk.advance(rest);
-        return walk.is_at_boundary() && bank_of(walk.point()) > 0;
+        const int bank = walk.is_at_boundary() ? bank_of(walk.point()) : 0;
+        return bank > 0 && bank != bank_to && bank != bank_of(from.at);
     } catch (const Error&) {
         return false;  // straight above each other
     }
@@ -132,9 +140,10 @@ bool Slits::part(const DrapedVertex& a, const DrapedVertex& b) const {
     if (none() || (!m_is_near[a.at.face] && !m_is_near[b.at.face])) return false;
     const int bank_a = bank_of(a.at), bank_b = bank_of(b.at);
     if (bank_a > 0 && bank_a == bank_b) return false;
-    if (bank_b > 0) return !reaches_bank(a, b);
-    if (bank_a > 0) return !reaches_bank(b, a);
-    return runs_into_slit(a, b.position);
+    // Where a slit ends near the bank, the way that leads there may go round its end, the straight one across.
+    if (bank_b > 0) return !reaches_bank(a, b) || runs_into_bank(a, b);
+    if (bank_a > 0) return !reaches_bank(b, a) || runs_into_bank(b, a);
+    return runs_into_bank(a, b);
 }
 
 }  // namespace chebnet

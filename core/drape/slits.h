@@ -9,13 +9,14 @@
 
 namespace chebnet {
 
-/// Where a surface is cut open, but not apart (see cut_open): boundary runs along boundary, and what is near in space
-/// on the other side of a slit is not so on the surface. A bank is one side of a slit. Keeps references to surface and
-/// tree.
+/// Where a surface is cut open (see cut_open): boundary runs along boundary, and what is near in space on the other
+/// side of a slit is not so on the surface; or it was cut from another there, which may be so small that an edge would
+/// go across it. A bank is one side of a slit. Keeps references to surface and tree.
 class Slits {
 public:
-    /// `reach`: the length of a net's edges; what is asked for is no farther apart than two of them.
-    Slits(const Surface& surface, const SurfaceTree& tree, double reach);
+    /// `reach`: the length of a net's edges; what is asked for is no farther apart than two of them. `seam`: of each
+    /// vertex, whether the surface was cut from another there (see DrapeOptions); empty where it was nowhere.
+    Slits(const Surface& surface, const SurfaceTree& tree, double reach, const std::vector<bool>& seam = {});
 
     bool none() const { return m_bank_of.empty(); }
 
@@ -30,11 +31,11 @@ public:
     bool part(const DrapedVertex& a, const DrapedVertex& b) const;
 
 private:
-    void find_banks();
+    void find_banks(const std::vector<bool>& seam);
     void find_near(double reach);
     int bank_of(const SurfacePoint& point) const;
     SurfaceTree::Nearest descended(const Eigen::Vector3d& point, int from) const;
-    bool runs_into_slit(const DrapedVertex& from, const Eigen::Vector3d& to) const;
+    bool runs_into_bank(const DrapedVertex& from, const DrapedVertex& to) const;
     bool reaches_bank(const DrapedVertex& from, const DrapedVertex& banked) const;
 
     const Surface& m_surface;

@@ -164,6 +164,29 @@ std::optional<Pair> nearest_pair(const Surface& surface, const std::vector<Loop>
     return best;
 }
 
+/// At a part of a path's length.
+SurfacePoint point_along(const Surface& surface, const SurfacePath& path, double part) {
+    double rest = part * path.length;
+    for (std::size_t k = 0; k < path.faces.size(); ++k) {
+        const double step = (surface.position_at(path.points[k + 1]) - surface.position_at(path.points[k])).norm();
+        if (rest < step) {
+            const int face = path.faces[k];
+            const double here = rest / step;
+            return {face, (1 - here) * *weights_in(surface, path.points[k], face) +
+                              here * *weights_in(surface, path.points[k + 1], face)};
+        }
+        rest -= step;
+    }
+    return path.points.back();
+}
+
+/// A cut along the shortest path, with points at thirds of it. Where the surface is not cut open its ends may be in one
+/// place, on both sides of a cut, and nearer to each other through that; there is no such way between thirds.
+CutLine with_thirds(const Surface& surface, const SurfacePoint& from, const SurfacePoint& to) {
+    const SurfacePath path = shortest_path(surface, from, to);
+    return {from, point_along(surface, path, 1. / 3), point_along(surface, path, 2. / 3), to};
+}
+
 }  // namespace
 
 CutLine shortest_cut_to_border(const Surface& surface, const SurfacePoint& from) {
@@ -181,7 +204,7 @@ CutLine shortest_cut_between_borders(const Surface& surface) {
     std::vector<Loop> others = loops;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(pair->first));
     const Reached back = *nearest_on(surface, there.point, others);
-    return {there.point, back.way < there.way ? back.point : pair->on_second};
+    return with_thirds(surface, there.point, back.way < there.way ? back.point : pair->on_second);
 }
 
 }  // namespace chebnet

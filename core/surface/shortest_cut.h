@@ -11,8 +11,9 @@ namespace chebnet {
 CutLine shortest_cut_to_border(const Surface& surface, const SurfacePoint& from);
 
 /// Likewise between the two boundary curves of a piece that are nearest to each other: cut open along it they are one.
-/// Of more than 64 pairs of neighbours those are measured that are nearest along edges.
-/// Throws Error bad_option where no piece has two.
+/// Four points, those between at thirds of the way: so it runs the same way where the surface has not been cut open,
+/// but the ends may be on both sides of a cut. Of more than 64 pairs of neighbours those are measured that are nearest
+/// along edges. Throws Error bad_option where no piece has two.
 CutLine shortest_cut_between_borders(const Surface& surface);
 
 }  // namespace chebnet

@@ -29,6 +29,10 @@ using Edges = std::set<Edge>;
 
 Edge edge_of(int a, int b) { return std::minmax(a, b); }
 
+double extent(const Surface& surface) {
+    return (surface.positions().rowwise().maxCoeff() - surface.positions().rowwise().minCoeff()).norm();
+}
+
 [[noreturn]] void refuse(const std::string& what) { throw Error(ErrorCode::bad_option, what); }
 
 /// Of a point in the plane of a triangle with some normal, for its corners; those beyond a side are negative.
@@ -380,33 +384,39 @@ SurfacePoint nearest_on_border(const Surface& surface, const std::vector<int>& p
 
 }  // namespace
 
+SurfacePoint point_meant(const Surface& surface, const SurfaceTree& tree, const Eigen::Vector3d& point,
+                         const std::string& name) {
+    if (!point.allFinite()) throw Error(ErrorCode::non_finite, name + " has a coordinate that is not finite");
+    const SurfaceTree::Nearest nearest = tree.nearest(point);
+    if (nearest.distance > k_far * extent(surface))
+        refuse(name + " is " + std::to_string(nearest.distance) + " away from the surface");
+    return nearest.at;
+}
+
 CutLine cut_line(const Surface& surface, const SurfaceTree& tree, const Positions& points, const std::string& name) {
-    const double size = (surface.positions().rowwise().maxCoeff() - surface.positions().rowwise().minCoeff()).norm();
+    const double near = k_at_border * extent(surface);
     const std::vector<int> pieces = surface.components();
     CutLine line;
     for (Eigen::Index k = 0; k < points.cols(); ++k) {
-        const std::string point = "point " + std::to_string(k + 1) + " of " + name;
-        if (!points.col(k).allFinite())
-            throw Error(ErrorCode::non_finite, point + " has a coordinate that is not finite");
-        const SurfaceTree::Nearest nearest = tree.nearest(points.col(k));
-        if (nearest.distance > k_far * size)
-            refuse(point + " is " + std::to_string(nearest.distance) + " away from the surface");
-        line.push_back(nearest.at);
+        line.push_back(point_meant(surface, tree, points.col(k), "point " + std::to_string(k + 1) + " of " + name));
         if (k > 0 && k + 1 < points.cols()) continue;
-        const SurfacePoint border = nearest_on_border(surface, pieces, pieces[nearest.at.face], nearest.position);
-        if (border.face >= 0 && (surface.position_at(border) - nearest.position).norm() < k_at_border * size)
-            line.back() = border;
+        const Eigen::Vector3d here = surface.position_at(line.back());
+        const SurfacePoint border = nearest_on_border(surface, pieces, pieces[line.back().face], here);
+        if (border.face >= 0 && (surface.position_at(border) - here).norm() < near) line.back() = border;
     }
     return line;
 }
 
+Positions points_of(const Surface& surface, const CutLine& line) {
+    Positions points(3, std::ssize(line));
+    for (std::size_t k = 0; k < line.size(); ++k)
+        points.col(static_cast<Eigen::Index>(k)) = surface.position_at(line[k]);
+    return points;
+}
+
 Positions cut_path(const Surface& surface, const CutLine& line, const std::string& name) {
     check_points(surface, line, name);
-    const SurfacePath path = path_of(surface, line, name);
-    Positions points(3, std::ssize(path.points));
-    for (Eigen::Index k = 0; k < points.cols(); ++k)
-        points.col(k) = surface.position_at(path.points[static_cast<std::size_t>(k)]);
-    return points;
+    return points_of(surface, path_of(surface, line, name).points);
 }
 
 Surface cut_open(const Surface& surface, std::span<const CutLine> cuts) {

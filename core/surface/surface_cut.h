@@ -13,11 +13,19 @@ namespace chebnet {
 /// shortest_path); where the last is the first again, the cut is closed.
 using CutLine = std::vector<SurfacePoint>;
 
-/// The points of a surface nearest to some points in space (3×N); the first and the last go on to the border where that
-/// is nearer than a hundredth of the surface's size: a hand does not meet it. Throws Error bad_option naming the first
-/// that is farther from it than a twentieth of the surface's size, non_finite; in their words it is called `name`.
+/// The point of a surface nearest to one in space that is meant to be on it. Throws Error bad_option if it is farther
+/// from it than a twentieth of the surface's size, non_finite; in their words it is called `name`.
+SurfacePoint point_meant(const Surface& surface, const SurfaceTree& tree, const Eigen::Vector3d& point,
+                         const std::string& name);
+
+/// Such points for several (3×N), of which the first and the last go on to the border where that is nearer than a
+/// hundredth of the surface's size: a hand does not meet it. Throws Error as point_meant does, naming the first that is
+/// at fault as a point of `name`.
 CutLine cut_line(const Surface& surface, const SurfaceTree& tree, const Positions& points,
                  const std::string& name = "a cut");
+
+/// Where points of a surface are in space: 3×N.
+Positions points_of(const Surface& surface, const CutLine& line);
 
 /// How a cut runs over a surface, to be drawn: 3×N. Throws Error as cut_open does.
 Positions cut_path(const Surface& surface, const CutLine& line, const std::string& name = "the cut");

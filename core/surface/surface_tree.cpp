@@ -53,7 +53,7 @@ Eigen::Vector3d nearest_weights(const Eigen::Vector3d& p, const Eigen::Vector3d&
         return {0, 1 - w, w};
     }
     const double v = vb / (va + vb + vc), w = vc / (va + vb + vc);
-    return {1 - v - w, v, w};
+    return {std::max(0.0, 1 - v - w), v, w};  // beside an edge rounding leads below 0
 }
 
 double squared_distance(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Eigen::Vector3d& point) {

@@ -756,7 +756,9 @@ TEST_CASE("drape cuts a surface, lays a net on each piece, and reports of each a
     const json cross = box.run(drape + "--cut-along \"-1,0,0 1,0,0\" --cut-along \"0,-1,0 0,1,0\"").json();
     CHECK(cross.at("pieces").size() == 4);
     const json chosen = box.run(drape + "--cut-along \"-1,0,0 1,0,0\" --seed 0 0.5 0 --direction 1 1 0").json();
-    CHECK(chosen.at("pieces")[1].contains("no_net") != chosen.at("pieces")[0].contains("no_net"));
+    CHECK(chosen.at("pieces")[0].at("seed") == json({0, 0.5, 0}));
+    CHECK(chosen.at("pieces")[0].contains("net"));
+    CHECK(chosen.at("pieces")[1].contains("net"));
 
     const json tube = box.run("drape --surface torso --cells 300 --cut-between-borders 1").json();
     CHECK(tube.at("described").at("boundary_loops") == 1);
@@ -776,7 +778,10 @@ TEST_CASE("drape cuts a surface, lays a net on each piece, and reports of each a
     check_refused(box.run(drape + "--cut-to-border 0,x,0"), "--cut-to-border: \"x\" is not a number");
     check_refused(box.run(drape + "--cut-to-border \"0,0,0 1,0,0\""), "one point");
     check_refused(box.run(drape + "--cut-between-borders 1"), "no two borders");
-    check_refused(box.run("drape --surface pebble --cut-to-border 0,0,9"), "no border");
+    check_refused(box.run("drape --surface pebble --cut-to-border 0,0,2"), "no border");
+    check_refused(box.run(drape + "--cut-to-border nan,0,0"), "--cut-to-border: \"nan\" is not finite");
+    check_refused(box.run(drape + "--cut-along \"0,0,0 inf,0,0\""), "--cut-along: \"inf\" is not finite");
+    check_refused(box.run(drape + "--cut-to-border 0,0,1e6"), "the beginning of a cut is 999999");
     check_refused(box.run(drape + "--cut-along \"0,0,0\""), "cut 1 needs at least two points");
     check_refused(box.run(drape + "--cut-along \"0,0,0 0,0,3\""), "away from the surface");
     check_refused(box.run(drape + "--cut-along \"-1,0,0 1,0,0\" --seed 0 0.5 0 --seed 0.1 0.5 0"), "seed 2");
@@ -813,6 +818,16 @@ TEST_CASE("drape takes surfaces of our own, and begins in the middle") {
     CHECK(report.at("net").at("cells") > 400);
     CHECK(report.at("net").at("rods") > 40);
     CHECK(box.run("info net.obj").json().at("chebyshev") == true);
+
+    // Where the x axis is upright, the y axis is the direction; numbers may begin with a minus sign.
+    box.write("cube.obj",
+              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+              "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    for (const char* options : {"", " --pieces", " --direction 0 -.2 -1"})
+        CHECK(
+            box.run(std::string("drape cube.obj --cells 100 --seed 1 0.5 0.5") + options).json().at("net").at("cells") >
+            10);
+    check_refused(box.run("drape cube.obj --cells 100 --seed nan 0 0"), "the seed has a coordinate that is not finite");
 
     const json middle = box.run("drape --surface torso --cells 300").json();
     const json best = box.run("drape --surface torso --cells 300 --best").json();

@@ -318,6 +318,8 @@ TEST_CASE("Of pieces that which has the curve follows it, and a curve over sever
     }
     options.drape.along(1, 0) = -0.3;
     CHECK_THROWS_WITH(drape_pieces(opened, options), Contains("curve"));
+    options.drape.along.col(0) << 1e9, 0, 0;
+    CHECK_THROWS_WITH(drape_pieces(opened, options), Contains("point 1 of the curve") && Contains("away from"));
 }
 
 TEST_CASE("A net that leaves the surface where it locks keeps its arms") {

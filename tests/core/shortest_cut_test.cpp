@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -20,8 +21,9 @@ namespace {
 SurfacePoint at(const Surface& surface, const Eigen::Vector3d& point) { return SurfaceTree(surface).nearest(point).at; }
 
 double length_of(const Surface& surface, const CutLine& cut) {
-    REQUIRE(cut.size() == 2);
-    return shortest_path(surface, cut[0], cut[1]).length;
+    double length = 0;
+    for (std::size_t k = 1; k < cut.size(); ++k) length += shortest_path(surface, cut[k - 1], cut[k]).length;
+    return length;
 }
 
 int euler_characteristic(const Surface& surface) {
@@ -67,7 +69,9 @@ TEST_CASE("A tube cut between its borders along the shortest way is a piece with
     const Surface tube(samples::cylinder(40, 9, 1.5));
     const CutLine cut = shortest_cut_between_borders(tube);
     CHECK(length_of(tube, cut) == Approx(3));
-    CHECK(tube.position_at(cut[0]).z() * tube.position_at(cut[1]).z() == Approx(-1.5 * 1.5));
+    REQUIRE(cut.size() == 4);
+    CHECK(tube.position_at(cut[0]).z() * tube.position_at(cut[3]).z() == Approx(-1.5 * 1.5));
+    CHECK(std::abs(tube.position_at(cut[1]).z()) == Approx(0.5));
     const Surface open = cut_open(tube, {{cut}});
     CHECK(open.boundary_loops().size() == 1);
     CHECK(euler_characteristic(open) == 1);
@@ -80,15 +84,38 @@ TEST_CASE("Cuts between borders, one after the other, begin with those that are 
     for (const double way : {2. / 12, 2. / 12 * std::sqrt(2.)}) {
         const CutLine cut = shortest_cut_between_borders(open);
         CHECK(length_of(open, cut) <= way + 1e-9);
-        Positions ends(3, 2);
-        ends << open.position_at(cut[0]), open.position_at(cut[1]);
-        cuts.push_back(cut_line(plate, SurfaceTree(plate), ends));
+        cuts.push_back(cut_line(plate, SurfaceTree(plate), points_of(open, cut)));
         open = cut_open(plate, cuts);
     }
     CHECK(open.boundary_loops().size() == 1);
     CHECK(euler_characteristic(open) == 1);
     CHECK(open.area() == Approx(plate.area()));
     CHECK_THROWS_WITH(shortest_cut_between_borders(open), Contains("no two borders"));
+}
+
+TEST_CASE("A torus cut around once is a disc after the shortest cut between the two sides of that cut") {
+    // Even, and so that the ends of the second cut are in two places; both go all around.
+    for (const double uneven : {0., 0.4}) {
+        CAPTURE(uneven);
+        const Surface torus(samples::quads(48, 24, true, true, [&](int i, int j) {
+            const double u = 2 * std::numbers::pi * i / 48, v = 2 * std::numbers::pi * j / 24;
+            const double small = 1 + uneven * std::sin(u + v),
+                         large = 3 + uneven * std::cos(u + 1) + small * std::cos(v);
+            return Eigen::Vector3d(large * std::cos(u), large * std::sin(u),
+                                   small * std::sin(v) + uneven * std::sin(u));
+        }));
+        const SurfaceTree tree(torus);
+        Positions around(3, 5);
+        for (int k = 0; k < 5; ++k) around.col(k) = torus.positions().col(k % 4 * 6 * 48);
+        std::vector<CutLine> cuts{cut_line(torus, tree, around)};
+        const Surface open = cut_open(torus, cuts);
+        REQUIRE(open.boundary_loops().size() == 2);
+        cuts.push_back(cut_line(torus, tree, points_of(open, shortest_cut_between_borders(open))));
+        CHECK(length_of(torus, cuts[1]) > 8);
+        const Surface disc = cut_open(torus, cuts);
+        CHECK(disc.boundary_loops().size() == 1);
+        CHECK(euler_characteristic(disc) == 1);
+    }
 }
 
 TEST_CASE("Of many holes the two are joined that are nearest to each other") {

@@ -64,6 +64,17 @@ TEST_CASE("The nearest point is that of a search through all triangles") {
     }
 }
 
+TEST_CASE("The weights of a point on an edge are not negative, whatever rounding does") {
+    const Surface torus(samples::torus(48, 24, 3, 1));
+    const SurfaceTree tree(torus);
+    for (int side = 0; side < 3 * torus.face_count(); ++side)
+        for (const double part : {1e-14, 0.1, 1. / 3}) {
+            const Eigen::Vector3d point =
+                (1 - part) * torus.positions().col(torus.from(side)) + part * torus.positions().col(torus.to(side));
+            CHECK(tree.nearest(point).at.weights.minCoeff() >= 0);
+        }
+}
+
 TEST_CASE("From a point however far away the nearest is the one that lies in its direction") {
     const Surface ball(samples::sphere(24));
     const SurfaceTree tree(ball);
