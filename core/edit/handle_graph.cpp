@@ -9,8 +9,6 @@ namespace {
 
 // Paths whose lengths differ by less than this part are equally long. A tie that is missed only adds a pair.
 constexpr double k_rounding = 1e-12;
-// No edge of an exact net is longer than its rest length by more than this part.
-constexpr double k_inexact = 1e-3;
 
 struct QueueEntry {
     double distance;
@@ -185,7 +183,8 @@ HandleGraph::HandleGraph(const Net& net, const Topology& topology, std::span<con
 }
 
 std::optional<std::vector<OnPath>> inside_of_shortest_path(const Net& net, const Topology& topology, int from, int to,
-                                                           double length, const Positions& positions, int& steps_left) {
+                                                           double length, const Positions& positions, double longest,
+                                                           int& steps_left) {
     const std::span<const int> joined = topology.neighbours(from);
     if (std::binary_search(joined.begin(), joined.end(), to)) return std::vector<OnPath>();
     constexpr int k_vertices_a_step = 16;  // to forget what was
@@ -203,8 +202,8 @@ std::optional<std::vector<OnPath>> inside_of_shortest_path(const Net& net, const
         for (std::size_t k = 0; k < neighbours.size(); ++k) {
             if (steps_left-- <= 0) return std::nullopt;
             const double next = distance + net.rest_lengths()[edges[k]];
-            const double left = (positions.col(neighbours[k]) - positions.col(to)).norm();
-            if (next + left > (1 + k_inexact) * length) continue;
+            const double least_left = (positions.col(neighbours[k]) - positions.col(to)).norm() / longest;
+            if (next + least_left > (1 + k_rounding) * length) continue;
             OnPath& known = before[neighbours[k]];
             if (known.distance >= 0 && known.distance <= next) continue;
             known = {v, next};

@@ -54,10 +54,11 @@ struct OnPath {
     double distance;
 };
 /// The vertices between two on a shortest path of this `length`, from the second to the first; none if they are
-/// neighbours. Only vertices are looked at by which a path may be as short as that, since it is no shorter than the
-/// straight ways between its vertices at `positions`, those of an exact net. Nothing if the path is not found there, or
-/// not in so many steps, of which those that it took are taken off.
+/// neighbours. Only vertices are looked at by which a path may be as short as that, as straight ways at `positions`
+/// tell, where no edge has more than `longest` times its rest length. Nothing if the path is not found in so many
+/// steps, of which those that it took are taken off.
 std::optional<std::vector<OnPath>> inside_of_shortest_path(const Net& net, const Topology& topology, int from, int to,
-                                                           double length, const Positions& positions, int& steps_left);
+                                                           double length, const Positions& positions, double longest,
+                                                           int& steps_left);
 
 }  // namespace chebnet

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "net/measures.h"
+
 namespace chebnet {
 
 namespace {
@@ -27,6 +29,7 @@ std::vector<TautVertex> TautLines::find(const Net& net, const Topology& topology
                                         std::vector<bool> avoided, const Positions& positions,
                                         const Positions& last_net, double nearness) {
     m_steps_left = k_most_steps;
+    const double longest = edge_ratios(net, last_net).maxCoeff();
     Eigen::Matrix3Xd ends = targets;
     std::vector<TautVertex> found;
     const auto was_straight = [&](const TautVertex& taut) {
@@ -50,7 +53,7 @@ std::vector<TautVertex> TautLines::find(const Net& net, const Topology& topology
             for (const auto& [b, length] : between.neighbours(a)) {
                 if (b < a || vertices[a] < 0 || vertices[b] < 0) continue;
                 if (!((ends.col(a) - ends.col(b)).norm() >= (1 - k_slack) * length)) continue;
-                const Line* found_line = line(net, topology, round, a, b, length, last_net);
+                const Line* found_line = line(net, topology, round, a, b, length, last_net, longest);
                 if (found_line == nullptr) continue;
                 const std::vector<TautVertex>& inside = found_line->inside;
                 if (!std::all_of(inside.begin(), inside.end(), is_clear)) continue;
@@ -67,13 +70,13 @@ std::vector<TautVertex> TautLines::find(const Net& net, const Topology& topology
 }
 
 const TautLines::Line* TautLines::line(const Net& net, const Topology& topology, Round& round, int a, int b,
-                                       double length, const Positions& last_net) {
+                                       double length, const Positions& last_net, double longest) {
     const auto place = std::lower_bound(
         round.lines.begin(), round.lines.end(), std::pair(a, b),
         [](const Line& line, const std::pair<int, int>& ends) { return std::pair(line.end_a, line.end_b) < ends; });
     if (place != round.lines.end() && place->end_a == a && place->end_b == b) return &*place;
     const auto path =
-        inside_of_shortest_path(net, topology, round.ends[a], round.ends[b], length, last_net, m_steps_left);
+        inside_of_shortest_path(net, topology, round.ends[a], round.ends[b], length, last_net, longest, m_steps_left);
     if (!path) return nullptr;
     Line line{a, b, {}};
     for (const auto& [vertex, distance] : *path) line.inside.push_back({vertex, a, b, distance / length});

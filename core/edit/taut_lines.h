@@ -61,9 +61,9 @@ private:
         HandleGraph graph;        // of them; empty for the handles
         std::vector<Line> lines;  // by their ends
     };
-    /// Null if it is not found, yet or at all.
+    /// Null if it is not found yet. `longest`: of edges of the last net, in rest lengths.
     const Line* line(const Net& net, const Topology& topology, Round& round, int a, int b, double length,
-                     const Positions& last_net);
+                     const Positions& last_net, double longest);
 
     std::vector<Round> m_rounds;
     int m_steps_left = 0;

@@ -372,6 +372,16 @@ TEST_CASE("a solve with exact edges and handles that has not come to rest ends w
     CHECK(max_deviation_of_file(box, "out.obj") < 1e-9);
 }
 
+TEST_CASE("a solve that has used up its iterations with exact edges and handles ends with 0") {
+    const Sandbox box;
+    box.write("pull.json", pull_edit(0.2).dump());
+    const Run run = box.run("solve " + k_recipe + " --edit pull.json --set rest_tolerance=0 --max-iterations 10");
+    CHECK(run.exit_code == 0);
+    CHECK(run.json().at("status") == "max_iterations");
+    CHECK(run.json().at("max_handle_error") == 0);
+    CHECK(run.json().at("max_dL") < 1e-6);
+}
+
 TEST_CASE("handles out of reach are named") {
     const Sandbox box;
     box.write("far.json", unreachable_edit().dump());

@@ -522,7 +522,11 @@ TEST_CASE("Equilibrium: a net that nothing holds does not fall, and hangs as soo
 }
 
 TEST_CASE("Equilibrium: weight acts along y where y is up, and a net lying on its side hangs as it does upright") {
-    const Net upright = samples::patch(9, 9, 0);
+    const double tilt = GENERATE(-0.1, 0.0, 0.1);
+    CAPTURE(tilt);
+    const Net flat = samples::patch(9, 9, 0);
+    const Eigen::Matrix3d tilted = Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    const Net upright(tilted * flat.rest_positions(), flat.faces());
     Eigen::Matrix3d turn;  // z becomes y
     turn << 1, 0, 0, 0, 0, 1, 0, -1, 0;
     const Net turned(turn * upright.rest_positions(), upright.faces());

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "edit/editor.h"
-#include "edit/near_targets.h"
 
 /// What must hold of an Editor whatever is asked of it, judged from outside: from positions, handles and rest lengths
 /// alone, with none of the core's own measures. Each function returns a sentence for every invariant that is violated.
@@ -60,19 +59,11 @@ inline bool is_solved(const Editor& editor, const Positions& positions) {
            reckoned_deviation(editor.net(), positions) < editor.options().threshold;
 }
 
-/// Whether the target of a soft handle is so far that it is no more than a direction (see near_targets).
-inline bool is_drawn_from_afar(const Editor& editor) {
-    return std::ranges::any_of(editor.handles(), [&](const Handle& handle) {
-        const Eigen::Vector3d way = handle.target - editor.net().rest_positions().col(handle.vertex);
-        return !handle.is_exact() && !(way.stableNorm() <= k_farthest_target * editor.net().mean_length());
-    });
-}
-
-/// Whether soft handles may draw a net out of its lengths for a while: `projection` gives way to them and comes back,
-/// which is also what happens where they are drawn from afar. `equilibrium` goes from net to net.
+/// Whether soft handles may draw a net out of its lengths for a while: `projection` gives way to them and comes back.
+/// `equilibrium` goes from net to net.
 inline bool may_leave_lengths(const Editor& editor) {
-    const auto draws = [&](const Handle& handle) { return !handle.is_exact(); };
-    return editor.method() == "equilibrium" ? is_drawn_from_afar(editor) : std::ranges::any_of(editor.handles(), draws);
+    const auto draws = [](const Handle& handle) { return !handle.is_exact(); };
+    return editor.method() != "equilibrium" && std::ranges::any_of(editor.handles(), draws);
 }
 
 /// Of what one call of solve() did with `budget` from the positions `before`, beyond the invariants of the state.

@@ -264,6 +264,14 @@ test('hangs downwards as it is seen, which a net opened after it does, too', asy
   expect(isYUp()).toBe(true);
   expect(lowest(2)).toBeGreaterThan(upright);
   expect(lowest(1)).toBeLessThan(onItsSide);
+  app.undo();
+  await page.solve();
+  expect(isYUp()).toBe(false); // without weight
+  app.setView({ upAxis: 'z' });
+  app.setView({ upAxis: 'y' });
+  app.redo();
+  await page.solve();
+  expect(isYUp()).toBe(true);
 
   await app.openNet({ recipe: 'sheet:vertices=100' }, 'y');
   expect(isYUp()).toBe(true);

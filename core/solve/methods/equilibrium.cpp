@@ -424,7 +424,7 @@ bool Equilibrium::move_handles(double part, Positions& x) {
 
 /// Handles that squeeze a flat net make it bow out of its plane, in the shape in which an even load bends it.
 void Equilibrium::add_bow(const Positions& x, Eigen::Matrix3Xd& moves) {
-    const auto normal = normal_of_flat(*m_net, x);
+    const auto normal = normal_of_flat(*m_net, x, up_axis(m_options));
     if (!normal) return;
     Eigen::Matrix3Xd bow;
     m_descent.give_way_to(*normal, bow);

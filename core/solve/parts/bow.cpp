@@ -17,7 +17,7 @@ constexpr double k_led = 1e-6;
 
 }  // namespace
 
-std::optional<Eigen::Vector3d> normal_of_flat(const Net& net, const Positions& positions) {
+std::optional<Eigen::Vector3d> normal_of_flat(const Net& net, const Positions& positions, int up) {
     // By the sum of the faces' areas as vectors.
     const Eigen::Vector3d origin = positions.col(0);
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
@@ -35,8 +35,10 @@ std::optional<Eigen::Vector3d> normal_of_flat(const Net& net, const Positions& p
         high = std::max(high, height);
     }
     if (!(high - low <= k_flat * net.mean_length())) return std::nullopt;
-    // Above the ground is up; of what stands upright, the side of y, and of what has no such side, that of x.
-    if (normal.dot(Eigen::Vector3d(1e-6, 1e-3, 1)) < 0) normal = -normal;
+    // Above the ground is up; of what stands upright, the side of y or z, and of what has no such side, that of x.
+    Eigen::Vector3d side(1e-6, 1e-3, 1e-3);
+    side[up] = 1;
+    if (normal.dot(side) < 0) normal = -normal;
     return normal;
 }
 

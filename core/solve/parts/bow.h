@@ -11,8 +11,9 @@ namespace chebnet {
 /// nothing pushes it there, and within the plane it can only fold up. So it is given the bow that makes up for what
 /// moves within the plane take from the lengths of edges.
 
-/// The normal of the plane in which all vertices lie, nearly, upwards where that says something; null if there is none.
-std::optional<Eigen::Vector3d> normal_of_flat(const Net& net, const Positions& positions);
+/// The normal of the plane in which all vertices lie, nearly, to the side of axis `up` where that says something; null
+/// if there is none.
+std::optional<Eigen::Vector3d> normal_of_flat(const Net& net, const Positions& positions, int up);
 
 /// How much of a bow (3×V, along the normal) to add to moves (3×V): the c with c² = Σ_e t_e s_e² / Σ_e s_e⁴, for which
 /// c² s_e² fits t_e best, where t_e is what the moves take from the square of the length of edge e, and s_e how much

@@ -331,7 +331,7 @@ bool RestDescent::linearise(const Positions& positions) {
 /// it is pressed. Where it would lose energy by bending it is given a first bow. False if it stays.
 bool RestDescent::give_way(Positions& positions) {
     if (m_has_given_way || !m_is_linearised) return false;
-    const auto normal = normal_of_flat(*m_net, positions);
+    const auto normal = normal_of_flat(*m_net, positions, up_axis(m_options));
     Eigen::Matrix3Xd bow;
     if (!(normal ? find_bow(*normal, bow)
                  : m_steps > 0 && m_rest_energy.values().front() < k_unbent &&

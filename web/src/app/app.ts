@@ -291,25 +291,28 @@ export class App {
     const view = { ...before, ...(isTurned && { camera: null, behind: undefined }), ...change };
     this.#state.change({ view });
     if (change.camera === undefined) this.#presenter.setAppearance({ ...this.opening.document, view });
-    if (isTurned) this.#turnWeight(view.upAxis);
+    if (isTurned && !this.#opener.isOpening) this.#turnWeight();
   }
 
-  /** What hangs, hangs downwards as it is seen now. */
-  #turnWeight(upAxis: UpAxis | undefined): void {
-    const { method, initialisation, options } = this.opening!.document;
-    const { y_up = false } = weighed(options, upAxis);
-    if (y_up === (options.y_up ?? false)) return;
-    const settings = { method, initialisation, options: { ...options, y_up } };
-    this.#attempt(this.setOptions(settings).then(() => this.#client.solve()));
+  /** What hangs, hangs downwards as it is seen now. No step of its own: the history goes along. */
+  #turnWeight(): void {
+    const { method, initialisation, options: before, view } = this.opening!.document;
+    const options = weighed(before, view.upAxis);
+    if (options.y_up === before.y_up) return;
+    this.#state.change({ options });
+    const asked = this.#client.setOptions({ method, initialisation, options: { y_up: false, ...options } });
+    this.#attempt(Promise.all([asked, this.#client.solve()]));
   }
 
   // ----------------------------------------------------------------------------------------------------------- solving
 
   /** They stand in the document at once, so that the next choice builds on this one, and are taken back if refused. `name`: what
    *  the history calls them, if not by themselves. */
-  async setOptions(settings: SolverSettings, name?: ChangeName): Promise<void> {
+  async setOptions(given: SolverSettings, name?: ChangeName): Promise<void> {
     const before = this.#before();
-    const after = { ...settings, options: this.#unusual(settings.options) };
+    const options = { y_up: false, ...weighed(given.options, this.opening?.document.view.upAxis) };
+    const settings = { ...given, options };
+    const after = { ...settings, options: this.#unusual(options) };
     const asked = this.#client.setOptions(settings);
     const change = settingsChange(before, after);
     if (change) this.#state.history.record(before, name || change.name, change.key);

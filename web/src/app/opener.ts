@@ -1,6 +1,6 @@
 /** Opens nets and goes through the history: one at a time; until the next net is open the present one stays. */
 import { type NamedChange, netChange, netTitle } from '../document/changes';
-import { asMade, freshScene, turned, usualMethod, weighed } from '../document/defaults';
+import { asMade, freshScene, hanging, turned, usualMethod, weighed } from '../document/defaults';
 import type { NetSource, Scene, UpAxis, ViewPlace, ViewState } from '../document/document';
 import type { Project } from '../document/project';
 import type { Entry, Snapshot } from '../document/undo';
@@ -146,10 +146,14 @@ export class Opener {
   async restore(snapshot: Snapshot, leave: () => void = () => {}): Promise<void> {
     if (this.#state.opening === null) return;
     const { net, view } = this.#state.opening.document;
-    const { net: wanted, ...rest } = snapshot;
-    if (wanted !== net) return this.#reopen({ ...snapshot, view: this.#viewOf(wanted, view) }, leave);
+    if (snapshot.net !== net) {
+      const seen = this.#viewOf(snapshot.net, view);
+      return this.#reopen(hanging({ ...snapshot, view: seen }, seen.upAxis), leave);
+    }
     leave();
-    this.#state.restore(snapshot);
+    const state = hanging(snapshot, view.upAxis);
+    this.#state.restore(state);
+    const { net: _, ...rest } = state;
     await this.#client.restore(rest);
   }
 

@@ -23,6 +23,15 @@ export function weighed({ y_up: _, ...options }: SolverOptions, upAxis: UpAxis |
   return upAxis === 'y' && Number(options.gravity) > 0 ? { ...options, y_up: true } : options;
 }
 
+/** A state in which weight acts downwards as the net is seen: not at rest where it did not. */
+export function hanging<State extends { options: SolverOptions; settled: boolean }>(
+  state: State,
+  upAxis: UpAxis | undefined,
+): State {
+  const options = weighed(state.options, upAxis);
+  return options.y_up === state.options.y_up ? state : { ...state, options, settled: false };
+}
+
 /** What a net is solved with unless somebody chooses otherwise. */
 export function usualMethod(net: NetSource): string {
   return vertexCount(net) > MOST_VERTICES_AT_REST ? METHOD_OF_LARGE_NETS : METHOD_AT_REST;

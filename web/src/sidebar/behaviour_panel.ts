@@ -1,6 +1,6 @@
 /** How the net behaves: by its lengths alone, or as material at rest, stiff or soft, how narrow its corners may get, and how
  *  long its edges are. In terms of designers, for options of the solver. */
-import { METHOD_AT_REST, weighed } from '../document/defaults';
+import { METHOD_AT_REST } from '../document/defaults';
 import type { ChebnetDocument, HandleData, SolverOptions, UpAxis } from '../document/document';
 import type { ChangeName } from '../document/naming';
 import { make, makeSection, makeSelect, setText, setValue } from '../elements/dom';
@@ -170,8 +170,7 @@ export class BehaviourPanel implements Panel {
 
   #chooseWeight(step: number): void {
     const gravity = step === 0 ? 0 : Number((this.#lightest * 10 ** ((step - 1) / TENFOLD)).toPrecision(3));
-    const change = weighed({ gravity }, this.#document?.view.upAxis);
-    this.#set(METHOD_AT_REST, { y_up: false, ...change }, ['weight', String(step)]);
+    this.#set(METHOD_AT_REST, { gravity }, ['weight', String(step)]);
   }
 
   /** "Let edges grow" finds what lies between the steps, or beyond them. */
