@@ -1,4 +1,4 @@
-/** Where the browser keeps nothing of it, the net that is open is not replaced without a word. */
+/** Where the browser keeps nothing of it, the net that is open is not lost without a word. */
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import type { App } from '../../web/src/app/app';
 import { freshScene } from '../../web/src/document/defaults';
@@ -79,9 +79,9 @@ function edit(): void {
 }
 
 test.each([
-  ['after a link', LINK, null],
-  ['after the page died', '', 'last'],
-])('by what was kept, as is offered %s', async (_, hash, flag) => {
+  ['to what was kept, as is offered after a link', LINK, null],
+  ['to what was kept, as is offered after the page died', '', 'last'],
+])('%s', async (_, hash, flag) => {
   location.hash = hash;
   died = flag;
   await start(true);
@@ -91,4 +91,15 @@ test.each([
   expect(opened).toEqual(['scene']);
   action!.run();
   await vi.waitFor(() => expect(opened).toEqual(['scene', 'project']));
+});
+
+test.each([
+  ['where the browser refuses', true],
+  ['in a frame', false],
+])('to a reload, if it is too large for a link, %s', async (_, keeps) => {
+  const projects = await start(keeps);
+  edit();
+  await projects.reload();
+  expect(offered).toContain(keptWords.notKept);
+  expect(reload).not.toHaveBeenCalled();
 });

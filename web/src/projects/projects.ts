@@ -145,14 +145,19 @@ export class Projects {
     await this.#autosave.save();
     const { keepsNothing, id } = this.#autosave;
     if (!keepsNothing && isOwn(id)) return location.replace(location.pathname + location.search);
-    if (keepsNothing && !(await this.#putIntoAddress()) && this.#isUnsaved)
+    if (keepsNothing && !(await this.#putIntoAddress()) && !this.#isInFile)
       return this.#offerToSave((await wording()).notKept);
     location.reload();
   }
 
   /** The browser stores nothing of it, and no file has it. */
   get #isUnsaved(): boolean {
-    return this.#autosave.refused && this.#app.history.revision !== this.#savedRevision;
+    return this.#autosave.refused && !this.#isInFile;
+  }
+
+  /** As it is now, or in the address. */
+  get #isInFile(): boolean {
+    return this.#app.history.revision === this.#savedRevision;
   }
 
   /** Whether a project is not opened yet, as the present net and its history would be lost: asked again, it is. */
