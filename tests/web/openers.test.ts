@@ -42,7 +42,7 @@ test('by a change that ends late replaces no net that was opened meanwhile; ther
   await app.openScene(freshScene({ recipe: 'vault:vertices=100' }));
   const { document } = app.opening!;
   ends[0]!();
-  await Promise.all(changes);
+  expect(await Promise.all(changes)).toEqual([false, false]);
   expect(app.opening!.document.net).toBe(document.net);
   vi.unstubAllGlobals();
 });

@@ -82,7 +82,7 @@ export class App {
     opening: new Set(),
     restarted: new Set(),
   };
-  #making = Promise.resolve();
+  #making: Promise<unknown> = Promise.resolve();
   #optionTable: OptionInfo[] = [];
   #methods: string[] = [];
   #formats: readonly FormatInfo[] = [];
@@ -151,9 +151,9 @@ export class App {
   }
 
   /** The net is being made anew elsewhere: until it is there, nothing is settled. */
-  async awaitNet(making: Promise<void>): Promise<void> {
+  awaitNet<T>(making: Promise<T>): Promise<T> {
     this.#making = making;
-    await making;
+    return making;
   }
 
   /** Resolves when nothing is under way and the net is settled. */
