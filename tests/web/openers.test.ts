@@ -27,22 +27,28 @@ test('is not made while a third one is being opened, which would be replaced', a
   await opening;
 });
 
-test('by a change that ends late replaces no net that was opened meanwhile; there is one change at a time', async () => {
+test('by a change that ends late replaces no net that was opened meanwhile; there is one change at a time, whose end is waited for', async () => {
   vi.stubGlobal(
     'Worker',
     class {
       postMessage(): void {}
     },
   );
-  const { app } = await openPage(await load());
+  const { app, solve } = await openPage(await load());
   await app.openScene(freshScene({ recipe: 'dome:vertices=100' }));
   const openers = new Openers(app, {} as HTMLElement);
-  const changes = [openers.changeNet({ way: 'refine' }), openers.changeNet({ way: 'refine' })];
+  const changes = [0, 1].map(() => app.awaitNet(openers.changeNet({ way: 'refine' })));
   expect(ends).toHaveLength(1);
+  const settled = vi.fn();
+  void app.settled().then(settled);
   await app.openScene(freshScene({ recipe: 'vault:vertices=100' }));
   const { document } = app.opening!;
+  await changes[1];
+  await solve();
+  expect(settled).not.toHaveBeenCalled();
   ends[0]!();
   expect(await Promise.all(changes)).toEqual([false, false]);
+  await vi.waitFor(() => expect(settled).toHaveBeenCalled());
   expect(app.opening!.document.net).toBe(document.net);
   vi.unstubAllGlobals();
 });

@@ -82,7 +82,7 @@ export class App {
     opening: new Set(),
     restarted: new Set(),
   };
-  #making: Promise<unknown> = Promise.resolve();
+  #making = Promise.resolve();
   #optionTable: OptionInfo[] = [];
   #methods: string[] = [];
   #formats: readonly FormatInfo[] = [];
@@ -152,13 +152,14 @@ export class App {
 
   /** The net is being made anew elsewhere: until it is there, nothing is settled. */
   awaitNet<T>(making: Promise<T>): Promise<T> {
-    this.#making = making;
+    // Not this one alone: it may be refused at once, because another is under way.
+    this.#making = Promise.allSettled([this.#making, making]).then(() => {});
     return making;
   }
 
   /** Resolves when nothing is under way and the net is settled. */
   async settled(): Promise<void> {
-    await this.#making.catch(() => {}); // it is reported where it was asked for
+    await this.#making; // if that fails, it is reported where it was asked for
     await this.#client.idle();
   }
 
