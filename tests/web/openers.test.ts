@@ -1,5 +1,5 @@
 /** Another net made of the one that is open. */
-import { expect, test, vi } from 'vitest';
+import { afterEach, expect, test, vi } from 'vitest';
 import { codeOf } from '../../web/src/failure';
 import { freshScene } from '../../web/src/document/defaults';
 import { Openers } from '../../web/src/dialogs/openers';
@@ -16,6 +16,10 @@ vi.mock('../../web/src/dialogs/change_dialog', () => ({
     until = () => new Promise((resolve) => ends.push(() => resolve({ origins: [] })));
   },
 }));
+afterEach(() => {
+  ends.length = 0;
+  vi.unstubAllGlobals();
+});
 
 test('is not made while a third one is being opened, which would be replaced', async () => {
   const { app } = await openPage(await load());
@@ -50,5 +54,4 @@ test('by a change that ends late replaces no net that was opened meanwhile; ther
   expect(await Promise.all(changes)).toEqual([false, false]);
   await vi.waitFor(() => expect(settled).toHaveBeenCalled());
   expect(app.opening!.document.net).toBe(document.net);
-  vi.unstubAllGlobals();
 });
