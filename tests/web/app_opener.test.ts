@@ -101,6 +101,25 @@ test('what is chosen of the view while a net opens holds for it; the rest is as 
   expect(state.opening!.document.view).toEqual(expected);
 });
 
+test('of two nets that open at once the second does not take over the view that the first came with', async () => {
+  await open('dome');
+  const before = state.opening!.document.view;
+  const scene = sceneOf('vault');
+  const openings = [
+    opener.openScene({ ...scene, view: { ...scene.view, colourMap: 'log', rods: 2 } }),
+    opener.openScene({ ...sceneOf('tube'), view: { ...scene.view, rods: 1 } }),
+  ];
+  state.change({ view: { ...before, field: 'angle' } });
+  asked.at(-2)!.answer();
+  await openings[0];
+  expect(state.opening!.document.view).toEqual({ ...scene.view, colourMap: 'log', rods: 2, field: 'angle' });
+  state.change({ view: { ...state.opening!.document.view, behind: true, showFaces: !before.showFaces } });
+  asked.at(-1)!.answer();
+  await openings[1];
+  const chosen = { field: 'angle', showFaces: !before.showFaces };
+  expect(state.opening!.document.view).toEqual({ ...scene.view, rods: 1, ...chosen });
+});
+
 /** Another net, or the history, in which it is opened again. */
 async function arriveBy(going: Promise<void>): Promise<'y' | 'z'> {
   asked.at(-1)!.answer();

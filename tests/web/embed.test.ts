@@ -128,22 +128,21 @@ test('whichever way it is taken, the way out has the scene of that moment, and l
   documentHere();
   vi.stubGlobal('location', { pathname: '/editor/' });
   const say = vi.fn();
-  const app = { say, opening: { document: {} } };
+  const app = { say };
   const link = makeWayOut(app as unknown as App) as HTMLAnchorElement;
-  const take = (way: string) => link.dispatchEvent(new Event(way, { cancelable: true }));
+  const take = (way: string, detail = 0) =>
+    link.dispatchEvent(Object.assign(new Event(way, { cancelable: true }), { detail }));
   const ways = ['click', 'auxclick', 'contextmenu'];
   for (const [i, way] of ['pointerdown', ...ways].entries()) {
     vi.mocked(hashOf)
       .mockClear()
       .mockReturnValue({ hash: `#${i}`, positions: false });
-    app.opening = { document: {} };
     expect(take(way)).toBe(true);
     expect(link.href).toBe(`/editor/#${i}`);
     // That of a large net takes a while to be made.
-    take('click');
+    take('click', 1);
     expect(hashOf).toHaveBeenCalledTimes(1);
   }
-  app.opening = { document: {} };
   vi.mocked(hashOf).mockReturnValue({ hash: null });
   expect(take('pointerdown')).toBe(true);
   expect(say).not.toHaveBeenCalled();

@@ -1,5 +1,5 @@
 /** Another net made of the one that is open. */
-import { expect, test, vi } from 'vitest';
+import { afterEach, expect, test, vi } from 'vitest';
 import { codeOf } from '../../web/src/failure';
 import { freshScene } from '../../web/src/document/defaults';
 import { Openers } from '../../web/src/dialogs/openers';
@@ -16,6 +16,10 @@ vi.mock('../../web/src/dialogs/change_dialog', () => ({
     until = () => new Promise((resolve) => ends.push(() => resolve({ origins: [] })));
   },
 }));
+afterEach(() => {
+  ends.length = 0;
+  vi.unstubAllGlobals();
+});
 
 test('is not made while a third one is being opened, which would be replaced', async () => {
   const { app } = await openPage(await load());
@@ -27,22 +31,27 @@ test('is not made while a third one is being opened, which would be replaced', a
   await opening;
 });
 
-test('by a change that ends late replaces no net that was opened meanwhile; there is one change at a time', async () => {
+test('by a change that ends late replaces no net that was opened meanwhile; there is one change at a time, whose end is waited for', async () => {
   vi.stubGlobal(
     'Worker',
     class {
       postMessage(): void {}
     },
   );
-  const { app } = await openPage(await load());
+  const { app, solve } = await openPage(await load());
   await app.openScene(freshScene({ recipe: 'dome:vertices=100' }));
   const openers = new Openers(app, {} as HTMLElement);
-  const changes = [openers.changeNet({ way: 'refine' }), openers.changeNet({ way: 'refine' })];
+  const changes = [0, 1].map(() => app.awaitNet(openers.changeNet({ way: 'refine' })));
   expect(ends).toHaveLength(1);
+  const settled = vi.fn();
+  void app.settled().then(settled);
   await app.openScene(freshScene({ recipe: 'vault:vertices=100' }));
   const { document } = app.opening!;
+  await changes[1];
+  await solve();
+  expect(settled).not.toHaveBeenCalled();
   ends[0]!();
-  await Promise.all(changes);
+  expect(await Promise.all(changes)).toEqual([false, false]);
+  await vi.waitFor(() => expect(settled).toHaveBeenCalled());
   expect(app.opening!.document.net).toBe(document.net);
-  vi.unstubAllGlobals();
 });

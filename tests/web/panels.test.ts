@@ -26,6 +26,7 @@ import type { PanelEvents } from '../../web/src/panels';
 import { ChangePanel } from '../../web/src/sidebar/change_panel';
 import { DragPanel } from '../../web/src/sidebar/drag_panel';
 import { hasNewNet, NewNetTrial } from '../../web/src/sidebar/new_net_trial';
+import { Softness } from '../../web/src/sidebar/softness';
 import { StepPanel } from '../../web/src/sidebar/step_panel';
 import { describe as describeNet } from '../../web/src/worker/opened_net';
 import type { FrameData } from '../../web/src/worker/protocol';
@@ -289,6 +290,27 @@ test('a locality between the steps of its slider is told as it is, with the focu
   slider!.tell('blur');
   expect(output!.value).toBe(told);
   expect(previewed).toEqual([30, 11, undefined]);
+});
+
+test('the weight of a handle is told as it is set, also with the focus, but not while it is being moved', () => {
+  const chosen: unknown[] = [];
+  const softness = new Softness(({ weight }) => chosen.push(weight));
+  const [output] = page.all('output');
+  const [, slider] = page.all('input');
+  const shown = () => [slider!.valueAsNumber, output!.textContent];
+  softness.setWeight(10);
+  slider!.focus();
+  Object.assign(slider!, { value: '2' }).tell('input');
+  softness.setWeight(10);
+  expect(shown()).toEqual([2, '100']);
+  slider!.tell('change');
+  softness.setWeight(100);
+  softness.setWeight(10); // undone
+  expect(shown()).toEqual([1, '10']);
+  Object.assign(slider!, { value: '0' }).tell('input');
+  slider!.tell('blur');
+  expect(shown()).toEqual([1, '10']);
+  expect(chosen).toEqual([100]);
 });
 
 test('while thousands of handles are dragged, none is looked for among all of them', () => {

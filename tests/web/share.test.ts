@@ -252,7 +252,7 @@ describe('hostile links are refused', () => {
     expect(scene).not.toHaveProperty('numbering');
   });
 
-  test('of more handles than anybody holds a net by', () => {
+  test('of more handles than any that is made has room for', () => {
     const handles = Array.from({ length: 100_001 }, () => [0, 0]);
     bad(hashOfJson(JSON.stringify({ ...valid, handles })));
   });

@@ -122,7 +122,7 @@ function element(id: string): HTMLElement {
   return found;
 }
 
-function attempt(doing: () => Promise<void>): void {
+function attempt(doing: () => Promise<unknown>): void {
   doing().catch((error: unknown) => app.report(error));
 }
 
@@ -137,7 +137,7 @@ async function share(): Promise<void> {
   (await sharing()).share(app, element('panels'), spawnSolver);
 }
 
-function changeNet(wanted: WantedChange): Promise<void> {
+function changeNet(wanted: WantedChange): Promise<boolean> {
   return app.awaitNet(openers().then((all) => all.changeNet(wanted)));
 }
 
@@ -156,7 +156,7 @@ async function saveAs(request: SaveRequest): Promise<void> {
     app,
     theme: () => readTheme(document.body),
     spawnWorker: () => new Worker(new URL('./export/export_worker.ts', import.meta.url), { type: 'module' }),
-    cutFlat: (then) => attempt(() => changeNet({ way: 'cut_flat' }).then(then)),
+    cutFlat: (then) => attempt(async () => (await changeNet({ way: 'cut_flat' })) && then()),
   });
 }
 

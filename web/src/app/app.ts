@@ -151,14 +151,15 @@ export class App {
   }
 
   /** The net is being made anew elsewhere: until it is there, nothing is settled. */
-  async awaitNet(making: Promise<void>): Promise<void> {
-    this.#making = making;
-    await making;
+  awaitNet<T>(making: Promise<T>): Promise<T> {
+    // Not this one alone: it may be refused at once, because another is under way.
+    this.#making = Promise.allSettled([this.#making, making]).then(() => {});
+    return making;
   }
 
   /** Resolves when nothing is under way and the net is settled. */
   async settled(): Promise<void> {
-    await this.#making.catch(() => {}); // it is reported where it was asked for
+    await this.#making; // if that fails, it is reported where it was asked for
     await this.#client.idle();
   }
 

@@ -26,12 +26,16 @@ export interface OpenerEvents {
   notice(isShown: boolean, canCancel: boolean): void;
 }
 
-/** A net that is there. */
-interface Arrival {
+/** A net that is being opened. */
+interface Request {
   scene: Scene;
-  opened: Opened;
-  /** That of the net of before when this one was asked for; undefined: there was none. */
+  /** That of the net of before when this one was asked for, or as that net came after that; undefined: there was none. */
   viewBefore: ViewState | undefined;
+}
+
+/** A net that is there. */
+interface Arrival extends Request {
+  opened: Opened;
 }
 
 export class Opener {
@@ -40,8 +44,7 @@ export class Opener {
   readonly #events: OpenerEvents;
   /** Of nets that have been left, here or by whoever made the project. */
   readonly #seen = new WeakMap<NetSource, NetView>();
-  /** Number of nets being opened. */
-  #underWay = 0;
+  readonly #underWay = new Set<Request>();
   /** Steps through the history that wait until a net is there. */
   #waiting: (() => void)[] = [];
 
@@ -52,7 +55,7 @@ export class Opener {
   }
 
   get isOpening(): boolean {
-    return this.#underWay > 0;
+    return this.#underWay.size > 0;
   }
 
   /** Whether a net is being opened, and can be cancelled in favour of the present one. */
@@ -171,31 +174,35 @@ export class Opener {
     this.#take(arrival);
   }
 
-  #take({ scene, opened, viewBefore }: Arrival): void {
+  #take(arrival: Arrival): void {
     const left = this.#state.opening?.document;
     if (left) {
       const { camera, behind, upAxis } = left.view;
       this.#seen.set(left.net, { camera, behind, ...turned(upAxis) });
+      for (const each of [arrival, ...this.#underWay]) each.scene = withChoices(left.view, each);
     }
-    const view = left && viewBefore ? withChoices(scene.view, viewBefore, left.view) : scene.view;
-    this.#state.open({ ...scene, view }, opened);
+    const { scene, opened } = arrival;
+    this.#state.open(scene, opened);
+    // The view of this net is no choice for those to come.
+    for (const each of this.#underWay) each.viewBefore = scene.view;
     this.#events.opened();
   }
 
   /** Shows the notice if it takes long. */
   async #request(scene: Scene): Promise<Arrival> {
-    const viewBefore = this.#state.opening?.document.view;
-    this.#underWay += 1;
+    const request: Request = { scene, viewBefore: this.#state.opening?.document.view };
+    this.#underWay.add(request);
     const notice = setTimeout(() => this.#events.notice(true, this.canCancel), NOTICE_MS);
     try {
-      return { scene, opened: await this.#client.open(scene), viewBefore };
+      const opened = await this.#client.open(scene);
+      return { ...request, opened };
     } catch (error) {
       this.#waiting = []; // there is nothing to go back from
       throw error;
     } finally {
       clearTimeout(notice);
       this.#events.notice(false, false);
-      this.#underWay -= 1;
+      this.#underWay.delete(request);
       // Once the net has been taken, too.
       setTimeout(() => {
         for (const go of this.#waiting.splice(0)) go();
@@ -205,10 +212,10 @@ export class Opener {
 }
 
 /** What the user has chosen since the net was asked for holds for it, but not how the one before lies and is seen. */
-function withChoices(view: ViewState, before: ViewState, now: ViewState): ViewState {
+function withChoices(now: ViewState, { scene, viewBefore: before = now }: Request): Scene {
   const { camera, behind, upAxis } = before;
   const chosen = Object.entries({ ...now, camera, behind, upAxis }).filter(
     ([name, value]) => value !== before[name as keyof ViewState],
   );
-  return { ...view, ...Object.fromEntries(chosen) };
+  return { ...scene, view: { ...scene.view, ...Object.fromEntries(chosen) } };
 }

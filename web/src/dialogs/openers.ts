@@ -99,29 +99,31 @@ export class Openers {
     else if (taken !== null) await this.#open(taken);
   }
 
-  /** The net with other faces, in place of the one that is open. One change at a time: another would be of the same net. */
-  async changeNet(wanted: WantedChange): Promise<void> {
-    if (this.#isChanging) return;
+  /** The net with other faces, in place of the one that is open. One change at a time: another would be of the same net.
+   *  Resolves with whether it has been made. */
+  async changeNet(wanted: WantedChange): Promise<boolean> {
+    if (this.#isChanging) return false;
     this.#isChanging = true;
     try {
-      await this.#changeNet(wanted);
+      return await this.#changeNet(wanted);
     } finally {
       this.#isChanging = false;
     }
   }
 
-  async #changeNet(wanted: WantedChange): Promise<void> {
+  async #changeNet(wanted: WantedChange): Promise<boolean> {
     const { formats } = this.#app;
     const opening = this.#app.netToChange();
     const request = requestOf(opening, wanted, this.#app.handles.choice.selection);
     const changed = await this.#changed(request);
-    if (changed === null || !this.#isOpen(opening)) return;
+    if (changed === null || !this.#isOpen(opening)) return false;
     const scene = this.#fromSameSide(changedScene(opening.document, request, changed, formats));
     const name = { name: nameOf(wanted.way), key: null };
     if (wanted.way === 'resize') {
       await this.#app.openScene(await this.#withResizedGuide(scene, request), name);
       this.#app.frameAll('here');
-      return this.#app.say(dialogWords.change.lengths(lengthWords(wanted.length)));
+      this.#app.say(dialogWords.change.lengths(lengthWords(wanted.length)));
+      return true;
     }
     await this.#app.openScene(scene, name);
     const lostHandles = opening.document.handles.length - scene.handles.length;
@@ -136,6 +138,7 @@ export class Openers {
         scene.method === opening.document.method ? '' : aboutMethod(count(MOST_VERTICES_AT_REST)),
       ]),
     );
+    return true;
   }
 
   /** False: another net, which is not to be replaced, was opened meanwhile. Fails as well where one is about to be. */

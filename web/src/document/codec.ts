@@ -72,13 +72,10 @@ export function netAsText(net: NetSource): { recipe: string } | FileText {
 /** Many more methods than there are. */
 const MOST_COMPARED = 100;
 
-/** More than anybody holds a net by. A short link could list millions, each an object of its own. */
-export const MOST_HANDLES = 100_000;
-
 /** All these throw a Failure if it is no such thing. What only the net can tell (does vertex 9000 exist?) the core says when it is opened. */
 export function readState(state: Untrusted): State<HandleSeed> {
   return {
-    handles: state.at('handles').list(MOST_HANDLES).map(readHandle),
+    handles: state.at('handles').list().map(readHandle),
     method: readCoreName(state.at('method')),
     // Links made before there was a choice have none.
     initialisation: state.at('initialisation').maybe(readCoreName) ?? DEFAULT_INITIALISATION,

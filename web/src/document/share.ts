@@ -28,6 +28,8 @@ export const LARGEST_LINK = 64_000;
 const MOST_VERTICES_A_CHARACTER = 4;
 /** A link read may inflate to so many bytes, no more. */
 const LARGEST_CONTENT = 8_000_000;
+/** More than any link made here has room for. A short one could list millions, each an object of its own. */
+const MOST_HANDLES = 100_000;
 /** Vertices of the largest net of a file that goes as text, exact to the last bit; those of more are packed. */
 const MOST_AS_TEXT = 200;
 /** Of packed nets, in mean edge lengths: the first is as good as exact, and the first with which a link is short enough is taken. */
@@ -208,6 +210,7 @@ function inflate(deflated: Uint8Array): Uint8Array {
 function readScene(reader: Reader, json: Uint8Array, packed: Uint8Array): Scene {
   try {
     const head = new Untrusted(JSON.parse(strFromU8(json)));
+    head.at('handles').list(MOST_HANDLES);
     const net = head.at('net');
     const meshEnd = net.at('packed').maybe((bytes) => bytes.index(packed.length + 1)) ?? 0;
     return {

@@ -43,19 +43,18 @@ export function makeWayOut(app: App): HTMLElement {
     { class: 'way-out', href: location.pathname, target: '_blank', rel: 'noopener' },
     embedWords.open,
   );
-  let made: { document: unknown; hash: string | null } | null = null;
-  const update = (event: Event): void => {
-    const document = app.opening?.document;
-    // That of a large net takes a while; a click comes after its pointer went down.
-    if (made === null || made.document !== document) made = { document, hash: hashOf(app).hash };
-    const { hash } = made;
+  let hash: string | null = null;
+  const update = (event: MouseEvent): void => {
+    // That of a large net takes a while, and was made when the pointer of the click went down; a click by a key has none.
+    const isPointerUp = event.type.endsWith('click') && event.detail > 0;
+    if (!isPointerUp) hash = hashOf(app).hash;
     link.href = location.pathname + (hash ?? '');
     if (hash !== null || event.type === 'pointerdown') return;
     event.preventDefault(); // it would lead to another net
     app.say(embedWords.tooLarge);
   };
   // By whatever button or menu it is opened or copied; a drag takes the address of when the pointer went down.
-  for (const way of ['pointerdown', 'click', 'auxclick', 'contextmenu']) link.addEventListener(way, update);
+  for (const way of ['pointerdown', 'click', 'auxclick', 'contextmenu'] as const) link.addEventListener(way, update);
   return link;
 }
 

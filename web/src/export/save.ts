@@ -32,7 +32,7 @@ export interface SaveParts {
   app: Saveable;
   theme(): Theme;
   spawnWorker(): Worker;
-  /** Cuts the net into flat pieces, and then. */
+  /** Cuts the net into flat pieces, and then, if it has. */
   cutFlat(then: () => Promise<void>): void;
 }
 
@@ -74,10 +74,8 @@ async function patternOf(request: SaveRequest, opening: Opening, parts: SavePart
   if (!('reason' in pattern)) return made(drawing(pattern, request, opening, app.formats), parts.spawnWorker());
   const why = patternFaultWords(pattern);
   if (!CUT_HELPS.includes(pattern.reason)) throw new Failure('no_pattern', why);
-  const saveIfCut = async () => {
-    if (app.opening?.document.net !== opening.document.net) await save(request, parts);
-  };
-  app.say(why, { label: panelWords.saving.pattern.cutAndSave, run: () => parts.cutFlat(saveIfCut) });
+  const again = (): Promise<void> => save(request, parts);
+  app.say(why, { label: panelWords.saving.pattern.cutAndSave, run: () => parts.cutFlat(again) });
   return null;
 }
 

@@ -21,8 +21,7 @@ function earlierChoice(): string | null {
 
 /** Counts from the next load of the page. */
 export function chooseLanguage(language: Language): void {
-  const address = new URL(location.href);
-  address.searchParams.delete(CHOICE);
+  const address = addressForOthers();
   try {
     localStorage.setItem(CHOICE, language);
   } catch {
@@ -30,4 +29,12 @@ export function chooseLanguage(language: Language): void {
     address.searchParams.set(CHOICE, language);
   }
   history.replaceState(null, '', address);
+}
+
+/** That of the page without the choice: whoever follows a link has one of their own. */
+export function addressForOthers(): URL {
+  const address = new URL(location.href);
+  // Deleting what is not there would write the others anew.
+  if (address.searchParams.has(CHOICE)) address.searchParams.delete(CHOICE);
+  return address;
 }

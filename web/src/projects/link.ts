@@ -5,6 +5,7 @@ import { decodeScene, encodeScene } from '../document/share';
 import type { Shared } from '../document/share';
 import { experimentScene, experimentTitle, isExperimentLink } from '../experiments/links';
 import { Failure } from '../failure';
+import { addressForOthers } from '../language/choice';
 import { panelWords } from '../language/panels';
 
 /** The present scene as the hash of a link of at most so many characters. */
@@ -17,7 +18,7 @@ export function hashOf(app: App, largest?: number): Shared {
 export function linkTo(app: App): string {
   const { hash } = hashOf(app);
   if (hash === null) throw new Failure('too_large', panelWords.link.tooLarge);
-  return new URL(hash, location.href).href;
+  return new URL(hash, addressForOthers()).href;
 }
 
 /** The scene of a hash. Throws a Failure. */

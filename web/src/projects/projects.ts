@@ -68,7 +68,7 @@ export class Projects {
     if (hasDied) return () => this.#offer(text.diedLink, text.openAnyway, open);
     const { titleOf } = await linking();
     return () => {
-      if (last) this.#offer(text.linkOpened(titleOf(hash)), text.restoreLast, () => this.#restore(last));
+      if (last) this.#offer(text.linkOpened(titleOf(hash)), text.restoreLast, () => this.#restoreInstead(last));
     };
   }
 
@@ -77,11 +77,11 @@ export class Projects {
     const hasDied = hasCrashFlag(last.id) || hasCrashFlag(location.hash);
     if (!hasDied) await this.#restore(last);
     const text = await wording();
-    if (hasDied) return () => this.#offer(text.diedKept, text.openAnyway, () => this.#restore(last));
+    if (hasDied) return () => this.#offer(text.diedKept, text.openAnyway, () => this.#restoreInstead(last));
     return () => this.#offer(text.restored, text.startAfresh, () => this.newNet());
   }
 
-  #offer(message: string, label: string, doing: () => Promise<void>): void {
+  #offer(message: string, label: string, doing: () => Promise<unknown>): void {
     const run = (): void => void doing().catch((error: unknown) => this.#app.report(error));
     this.#app.say(message, { label, run });
   }
@@ -109,13 +109,10 @@ export class Projects {
 
   /** What was kept before the present net. */
   async restoreLast(): Promise<void> {
-    await this.#autosave.save();
     const last = await findNewest(this.#autosave.id).catch(() => undefined);
     const text = await wording();
     if (last === undefined) return this.#app.say(text.noOther);
-    if (await this.#isToBeSaved()) return;
-    await this.#restore(last);
-    this.#app.say(text.lastRestored);
+    if (await this.#restoreInstead(last)) this.#app.say(text.lastRestored);
   }
 
   /** The projects that the browser keeps, to choose from. */
@@ -148,14 +145,19 @@ export class Projects {
     await this.#autosave.save();
     const { keepsNothing, id } = this.#autosave;
     if (!keepsNothing && isOwn(id)) return location.replace(location.pathname + location.search);
-    if (keepsNothing && !(await this.#putIntoAddress()) && this.#isUnsaved)
+    if (keepsNothing && !(await this.#putIntoAddress()) && !this.#isInFile)
       return this.#offerToSave((await wording()).notKept);
     location.reload();
   }
 
   /** The browser stores nothing of it, and no file has it. */
   get #isUnsaved(): boolean {
-    return this.#autosave.refused && this.#app.history.revision !== this.#savedRevision;
+    return this.#autosave.refused && !this.#isInFile;
+  }
+
+  /** As it is now, or in the address. */
+  get #isInFile(): boolean {
+    return this.#app.history.revision === this.#savedRevision;
   }
 
   /** Whether a project is not opened yet, as the present net and its history would be lost: asked again, it is. */
@@ -254,6 +256,14 @@ export class Projects {
     const goesOn = isFirst && isOwn(id) && (await claim(id));
     await this.#openProject({ id, project }, goesOn);
     this.#autosave.begin(goesOn ? id : newId(), !isFirst);
+  }
+
+  /** In place of the present net. False: that is to be saved first. */
+  async #restoreInstead(last: KeptProject): Promise<boolean> {
+    await this.#autosave.save();
+    if (await this.#isToBeSaved()) return false;
+    await this.#restore(last);
+    return true;
   }
 
   /** One that is `claimed` for this tab is not any more if that fails. */

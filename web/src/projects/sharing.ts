@@ -61,6 +61,7 @@ function linkOf(hash: string, query = ''): string {
 async function copyLink({ link, advice }: ShareLink, isAsked: boolean): Promise<string> {
   if (await copyText(link)) return panelWords.link.copied(advice);
   if (!isAsked) return panelWords.link.made(advice);
-  history.replaceState(null, '', link);
+  // The rest of the address stays: it may say the visitor's language.
+  history.replaceState(null, '', new URL(link).hash);
   return panelWords.link.inAddressBar(advice);
 }
