@@ -354,7 +354,7 @@ TEST_CASE("a solve can begin from another start") {
 TEST_CASE("a run that does not converge ends with 1 and still reports and writes") {
     const Sandbox box;
     box.write("pull.json", pull_edit(0.2).dump());
-    const Run run = box.run("solve " + k_recipe + " --edit pull.json --max-iterations 1 -o out.obj");
+    const Run run = box.run("solve " + k_recipe + " --edit pull.json --method li2022 --max-iterations 1 -o out.obj");
     CHECK(run.exit_code == 1);
     CHECK(run.err.empty());
     CHECK(run.json().at("status") == "max_iterations");
@@ -469,7 +469,7 @@ TEST_CASE("what a surface does to the net needs a surface") {
 TEST_CASE("a drag with a frame that does not converge ends with 1") {
     const Sandbox box;
     box.write("pull.json", pull_edit(0.2).dump());
-    const Run run = box.run("drag " + k_recipe + " --edit pull.json --frames 2 --max-iterations 1");
+    const Run run = box.run("drag " + k_recipe + " --edit pull.json --method li2022 --frames 2 --max-iterations 1");
     CHECK(run.exit_code == 1);
     CHECK(run.json().at("frames").size() == 2);
 }

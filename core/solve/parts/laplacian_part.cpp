@@ -54,13 +54,13 @@ void LaplacianPart::factorize() {
         m_system.add_at_node(node, LaplacianSystem::Block(pull.weight));
         m_piece_weight[m_part.piece_of(node)] += pull.weight;
     }
-    std::vector<bool> is_light(m_piece_weight.size(), false);  // by the node that stands for the piece
+    m_is_light.assign(m_piece_weight.size(), false);
     for (int root : m_part.floating_nodes()) {
         if (m_piece_weight[root] == 0) m_system.add_at_node(root, one);
-        is_light[root] = m_piece_weight[root] > 0 && m_piece_weight[root] < k_least_piece_weight;
+        m_is_light[root] = m_piece_weight[root] > 0 && m_piece_weight[root] < k_least_piece_weight;
     }
     for (int node = 0; node < m_part.size(); ++node)
-        if (is_light[m_part.piece_of(node)]) m_system.add_at_node(node, LaplacianSystem::Block(k_least_piece_weight));
+        if (m_is_light[m_part.piece_of(node)]) m_system.add_at_node(node, LaplacianSystem::Block(k_least_piece_weight));
     m_system.factorize();  // cannot fail: every piece of the graph is held somewhere
 }
 

@@ -50,6 +50,7 @@ private:
     std::vector<Pull> m_pulls;  // weights scaled
     double m_scale = 1;
     std::vector<double> m_piece_weight;  // nodes: at a node that stands for its piece, the sum of the pulls in it
+    std::vector<bool> m_is_light;        // likewise: whether these hold it, but hardly
     LaplacianSystem m_system;
     Eigen::Matrix3Xd m_residual;  // 3×nodes, −∇F / 2, then the moves
 };
