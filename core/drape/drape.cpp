@@ -284,7 +284,7 @@ private:
 
     bool is_allowed(const GridPlace& place, const DrapedVertex& vertex) {
         if (std::abs(place.i) > m_options.reach || std::abs(place.j) > m_options.reach) return false;
-        if (!is_on_surface(vertex) && is_bound(m_compass.surface(), m_options, slits(), vertex.at)) return false;
+        if (!is_on_surface(vertex) && is_bound(m_options, slits(), vertex.at)) return false;
         if (meets_net(place, vertex)) {
             refuse(place, m_met);
             return false;

@@ -44,7 +44,11 @@ void Slits::find_banks(const std::vector<bool>& seam) {
                 ++bank;
                 continue;
             }
-            if (none()) m_bank_of.assign(static_cast<std::size_t>(m_surface.vertex_count()), 0);
+            if (none()) {
+                m_bank_of.assign(static_cast<std::size_t>(m_surface.vertex_count()), 0);
+                m_bank_along.assign(3 * static_cast<std::size_t>(m_surface.face_count()), 0);
+            }
+            m_bank_along[side] = bank;
             const int before = loop[(start + k + n - 1) % n];
             if (!turns_back(before, side)) m_bank_of[m_surface.from(side)] = bank;
             if (turns_back(side, next))
@@ -69,21 +73,18 @@ void Slits::find_near(double reach) {
 }
 
 int Slits::bank_of(const SurfacePoint& point) const {
-    int bank = 0;
-    for (int k = 0; k < 3; ++k)
-        if (point.weights[k] > k_on_side) {
-            const int vertex = m_surface.triangles()(k, point.face);
-            if (m_surface.is_boundary(vertex)) bank = std::max(bank, m_bank_of[vertex]);
-        }
-    // Inside a triangle, or on a side that is none of the boundary, a point is on no bank.
-    const int corners = static_cast<int>((point.weights.array() > k_on_side).count());
-    if (corners == 3) return 0;
-    if (corners == 2) {
-        int across = 0;
-        point.weights.minCoeff(&across);
-        if (m_surface.opposite(Surface::next(3 * point.face + across)) >= 0) return 0;
+    int corner = 0, across = 0;
+    switch ((point.weights.array() > k_on_side).count()) {
+        case 1:
+            point.weights.maxCoeff(&corner);
+            return m_bank_of[m_surface.triangles()(corner, point.face)];
+        case 2:
+            // Not by the ends of the side: ordinary border may begin at a bank.
+            point.weights.minCoeff(&across);
+            return m_bank_along[Surface::next(3 * point.face + across)];
+        default:
+            return 0;
     }
-    return bank;
 }
 
 SurfaceTree::Nearest Slits::nearest(const Eigen::Vector3d& point, int from) const {

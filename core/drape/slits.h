@@ -14,7 +14,7 @@ namespace chebnet {
 /// go across it. A bank is one side of a slit. Keeps references to surface and tree.
 class Slits {
 public:
-    /// `reach`: the length of a net's edges; what is asked for is no farther apart than two of them. `seam`: of each
+    /// `reach`: the length of a net's edges; what is asked for is no farther apart than four of them. `seam`: of each
     /// vertex, whether the surface was cut from another there (see DrapeOptions); empty where it was nowhere.
     Slits(const Surface& surface, const SurfaceTree& tree, double reach, const std::vector<bool>& seam = {});
 
@@ -40,8 +40,9 @@ private:
 
     const Surface& m_surface;
     const SurfaceTree& m_tree;
-    std::vector<int> m_bank_of;   // of each vertex, from 1; 0 elsewhere, also where a slit ends; empty without slits
-    std::vector<bool> m_is_near;  // of each triangle
+    std::vector<int> m_bank_of;     // of each vertex, from 1; 0 elsewhere, also where a slit ends; empty without slits
+    std::vector<int> m_bank_along;  // of each side, likewise
+    std::vector<bool> m_is_near;    // of each triangle
 };
 
 }  // namespace chebnet

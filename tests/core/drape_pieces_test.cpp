@@ -122,6 +122,22 @@ TEST_CASE("No net lies on another along a cut, nor on itself along a slit") {
         }
 }
 
+TEST_CASE("Over its outer border a piece of a coarse surface goes as far as it does alone") {
+    const Surface square(samples::plane(2, 1));
+    const Surface halves = cut_along(square, {{-1, 0, 0}, {1, 0, 0}});
+    PiecesOptions options = wish(0.17, Border::beyond);
+    options.seeds = {{0.01, -0.52, 0}, {0.52, 0.52, 0}};
+    const DrapedPieces made = drape_pieces(halves, options);
+    for (const DrapedPiece& piece : made.draped) {
+        const auto x = piece.drape.net.rest_positions().row(0), y = piece.drape.net.rest_positions().row(1);
+        CHECK(x.minCoeff() < -1);
+        CHECK(x.maxCoeff() > 1);
+        CHECK(std::max(-y.minCoeff(), y.maxCoeff()) > 1);
+        CHECK(std::min(-y.minCoeff(), y.maxCoeff()) < 1e-9);
+    }
+    CHECK(made.report.coverage > 0.99);
+}
+
 TEST_CASE("No edge goes across a slit in a plane, and around its end the net is one") {
     const Surface square(samples::plane(15, 1));
     const Eigen::Vector3d from(-1, 0.031, 0), to(0.417, 0.052, 0);
