@@ -32,7 +32,7 @@ public:
 
 private:
     void find_banks(const std::vector<bool>& seam);
-    void find_near(double reach);
+    void find_near();
     int bank_of(const SurfacePoint& point) const;
     SurfaceTree::Nearest descended(const Eigen::Vector3d& point, int from) const;
     bool runs_into_bank(const DrapedVertex& from, const DrapedVertex& to) const;
@@ -40,6 +40,7 @@ private:
 
     const Surface& m_surface;
     const SurfaceTree& m_tree;
+    double m_reach;
     std::vector<int> m_bank_of;     // of each vertex, from 1; 0 elsewhere, also where a slit ends; empty without slits
     std::vector<int> m_bank_along;  // of each side, likewise
     std::vector<bool> m_is_near;    // of each triangle

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "drape/cut_proposals.h"
 #include "drape/proposals.h"
+#include "drape/slits.h"
 #include "net/measures.h"
 #include "net/topology.h"
 #include "sample_surfaces.h"
@@ -213,6 +214,64 @@ TEST_CASE("No edge goes across where cuts cross at a small angle, nor across a p
         CAPTURE(length);
         // Stubs shorter than a twentieth of an edge are left out: there a vertex may stand a little beyond.
         for (const auto& [from, to] : lines) CHECK(edges_across(net, from, to, 0.051 * length) == 0);
+    }
+}
+
+TEST_CASE("No rod goes across a slit that bends, nor is cut longer than it was") {
+    const Surface square(samples::plane(21, 1));
+    struct Case {
+        double length;
+        std::array<Eigen::Vector3d, 3> line;
+        Eigen::Vector3d seed, direction;
+    };
+    const Case cases[] = {
+        {0.07,
+         {{{1, -0.6201705505953307, 0},
+           {0.5654148462043186, 0.19027916643546517, 0},
+           {0.07215940190856229, -0.3556176302994788, 0}}},
+         {-0.7916257336525446, -0.3004423664709155, 0},
+         {-0.221253746048361, 0.3699210172281613, 0}},
+        {0.1, {{{-0.5, -0.6, 0}, {0.6, 0.05, 0}, {-0.6, 0.3, 0}}}, {-0.7, 0.8, 0}, {0.8, 0.3, 0}},
+        {0.06, {{{-0.6, 0, 0}, {0, 0.1, 0}, {0.5, -0.6, 0}}}, {-0.7, -0.8, 0}, {0.5, 0.4, 0}},
+    };
+    for (const auto& [length, line, seed, direction] : cases) {
+        CAPTURE(length);
+        PiecesOptions options = wish(length, Border::cut);
+        options.first_seed = true;
+        options.drape.seed = seed;
+        options.drape.direction = direction;
+        const DrapedPieces made = drape_pieces(cut_along(square, {line.begin(), line.end()}), options);
+        for (std::size_t k = 0; k < 2; ++k) CHECK(edges_across(made.net, line[k], line[k + 1], 0.051 * length) == 0);
+        // Between the ends of two rods an edge may be the diagonal of a cell.
+        CHECK(made.net.rest_lengths().maxCoeff() < 1.001 * std::numbers::sqrt2 * length);
+        CHECK(made.report.coverage > 0.98);
+    }
+}
+
+TEST_CASE("A slit parts what is on its two sides, also on the slit itself and beyond the border") {
+    const Surface slit = cut_along(Surface(samples::plane(21, 1)), {{0.8, -0.5, 0}, {0.8, 0.21, 0}});
+    const SurfaceTree tree(slit);
+    const Slits slits(slit, tree, 0.5);
+    const auto at = [&](double x, double y) {
+        const Eigen::Vector3d position(x, y, 0);
+        const SurfaceTree::Nearest near = tree.nearest(position);
+        return DrapedVertex{position, near.at, Eigen::Vector3d::UnitZ(), near.distance};
+    };
+    // As seen from the point of the border below it.
+    CHECK(slits.part(at(1.1, 0.4), at(0.6, 0)));
+    CHECK_FALSE(slits.part(at(1.1, 0.6), at(0.6, 0.2)));
+
+    DrapedVertex on_left = at(0.8 - 1e-3, 0.2);
+    on_left.position.x() = 0.8;
+    const SurfaceTree::Nearest near = tree.nearest_in(on_left.at.face, on_left.position);
+    REQUIRE(near.distance < 1e-12);
+    on_left.at = near.at;
+    for (int k = 0; k < 50; ++k) {
+        const double y = 0.207 - 0.011 * k, across = 0.03 + 0.002 * k;
+        CAPTURE(y);
+        CHECK(slits.part(at(0.8 + across, y), on_left));
+        CHECK(slits.part(on_left, at(0.8 + across, y)));
+        CHECK_FALSE(slits.part(at(0.8 - across, y), on_left));
     }
 }
 
