@@ -1,6 +1,6 @@
 #include "drape/slits.h"
 
-#include <algorithm>
+#include <limits>
 
 #include "base/error.h"
 #include "surface/geodesics.h"
@@ -10,11 +10,12 @@ namespace chebnet {
 
 namespace {
 
+constexpr double k_infinity = std::numeric_limits<double>::infinity();
 // A weight below it counts as 0.
 constexpr double k_on_side = 1e-9;
 // Triangles no farther from a slit than so many edges of the net are near it.
 constexpr double k_near_slit = 3;
-// In edges of the net: who comes so near to a point of a bank has reached it.
+// In edges of the net: a way that comes so near to a point of a bank has reached it. No rod ends in a shorter stub.
 constexpr double k_reached = 0.05;
 
 }  // namespace
@@ -25,8 +26,8 @@ Slits::Slits(const Surface& surface, const SurfaceTree& tree, double reach, cons
     if (!none()) find_near();
 }
 
-/// Vertices of sides that face another, or another surface, numbered by runs along the boundary. At the end of a slit
-/// it turns back.
+/// Sides that face another, or another surface, and their vertices, numbered by runs along the boundary. At the end of
+/// a slit it turns back.
 void Slits::find_banks(const std::vector<bool>& seam) {
     const std::vector<int> facing = facing_sides(m_surface);
     const auto is_cut = [&](int side) {
@@ -64,14 +65,13 @@ void Slits::find_banks(const std::vector<bool>& seam) {
 void Slits::find_near() {
     std::vector<SurfacePoint> sources;
     for (int side = 0; side < 3 * m_surface.face_count(); ++side)
-        if (m_bank_of[m_surface.from(side)] > 0) sources.push_back(Surface::start_of(side));
-    const std::vector<double> distances = geodesic_distances(m_surface, sources);
+        if (m_bank_along[side] > 0)
+            for (const int end : {side, Surface::next(side)}) sources.push_back(Surface::start_of(end));
+    const std::vector<double> distances = geodesic_distances(m_surface, sources, k_near_slit * m_reach);
     m_is_near.resize(static_cast<std::size_t>(m_surface.face_count()));
-    for (int f = 0; f < m_surface.face_count(); ++f) {
-        const Eigen::Vector3i corners = m_surface.triangles().col(f);
-        const double nearest = std::min({distances[corners[0]], distances[corners[1]], distances[corners[2]]});
-        m_is_near[f] = nearest <= k_near_slit * m_reach;
-    }
+    for (int f = 0; f < m_surface.face_count(); ++f)
+        for (const int corner : m_surface.triangles().col(f))
+            m_is_near[f] = m_is_near[f] || distances[corner] < k_infinity;
 }
 
 int Slits::bank_of(const SurfacePoint& point) const {
