@@ -347,6 +347,7 @@ TEST_CASE("Proposed cuts help by as much as is said, and where nothing is to be 
     const SurfaceTree torso_tree(torso);
     options.drape = suggested_drape(torso, torso_tree, 150);
     const CutProposals near_border = propose_cuts(torso, options.drape, 2);
+    REQUIRE_FALSE(near_border.cuts.empty());
     std::vector<CutLine> again;
     for (const CutLine& cut : near_border.cuts) again.push_back(cut_line(torso, torso_tree, points_of(torso, cut)));
     CHECK(drape_pieces(cut_open(torso, again), options).report.coverage ==
