@@ -488,8 +488,8 @@ void check_drape(const Surface& surface, const DrapeOptions& options) {
         refuse("the angle at the seed must keep within the shear limit");
     if (options.arms == DrapeOptions::Arms::curve && options.along.cols() < 2)
         refuse("a curve for the arms to run along needs at least two points");
-    if (!options.seam.empty() && std::ssize(options.seam) != surface.vertex_count())
-        refuse("the seam must be told of each vertex of the surface");
+    if (!options.seam.empty() && std::ssize(options.seam) != 3 * surface.face_count())
+        refuse("the seam must be told of each side of the surface");
     if (options.reach < 1) refuse("the net must reach at least one cell from the seed");
     // Known beforehand, rather than after minutes; by twice as many, since a part of the surface may not be covered.
     if (options.reach == DrapeOptions{}.reach &&

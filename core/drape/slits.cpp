@@ -30,9 +30,7 @@ Slits::Slits(const Surface& surface, const SurfaceTree& tree, double reach, cons
 /// a slit it turns back.
 void Slits::find_banks(const std::vector<bool>& seam) {
     const std::vector<int> facing = facing_sides(m_surface);
-    const auto is_cut = [&](int side) {
-        return facing[side] >= 0 || (!seam.empty() && seam[m_surface.from(side)] && seam[m_surface.to(side)]);
-    };
+    const auto is_cut = [&](int side) { return facing[side] >= 0 || (!seam.empty() && seam[side]); };
     const auto turns_back = [&](int side, int next) { return facing[side] == next; };
     int bank = 0;
     for (const std::vector<int>& loop : m_surface.boundary_loops()) {

@@ -15,7 +15,7 @@ namespace chebnet {
 class Slits {
 public:
     /// `reach`: the length of a net's edges; what is asked for is no farther apart than four of them. `seam`: of each
-    /// vertex, whether the surface was cut from another there (see DrapeOptions); empty where it was nowhere.
+    /// side, whether the surface was cut from another there (see DrapeOptions); empty where it was nowhere.
     Slits(const Surface& surface, const SurfaceTree& tree, double reach, const std::vector<bool>& seam = {});
 
     bool none() const { return m_bank_of.empty(); }

@@ -137,6 +137,18 @@ TEST_CASE("Over its outer border a piece of a coarse surface goes as far as it d
         CHECK(std::min(-y.minCoeff(), y.maxCoeff()) < 1e-9);
     }
     CHECK(made.report.coverage > 0.99);
+
+    // A side of the outer border may have both ends on cuts.
+    const SurfaceTree tree(square);
+    const std::vector<CutLine> cuts = {cut_line(square, tree, points({{-1, -0.4, 0}, {1, -0.4, 0}})),
+                                       cut_line(square, tree, points({{-1, 0.4, 0}, {1, 0.4, 0}}))};
+    const Surface thirds = cut_open(square, cuts);
+    options.seeds = {{0.01, 0.02, 0}};
+    const DrapedPieces middle = drape_pieces(thirds, options);
+    const Positions& x = middle.net.rest_positions();
+    CHECK(x.row(0).minCoeff() < -1);
+    CHECK(x.row(0).maxCoeff() > 1);
+    CHECK(x.row(1).cwiseAbs().maxCoeff() < 0.4 + 1e-9);
 }
 
 TEST_CASE("No edge goes across a slit in a plane, and around its end the net is one") {
