@@ -797,8 +797,8 @@ export interface Surface {
   /** How one of these runs, 3 numbers a point. */
   cutPath(points: readonly Readonly<Point>[]): Float64Array;
   /** The shortest cut to the border, for `cut`: from the point of the surface nearest to `from`, or with null between the two
-   *  boundaries that are nearest to each other. Of a surface that has been cut, cuts are border, too. A `bad_option` says
-   *  which border is missing. */
+   *  boundaries that are nearest to each other; all of its points are to be handed on. Of a surface that has been cut, cuts
+   *  are border, too. A `bad_option` says which border is missing. */
   shortestCut(from: Readonly<Point> | null): Point[];
   /** A net on each piece of the surface, with edges of one length: from the seed on its piece, from their middles on the
    *  others; none goes across a cut. See core/drape/drape_pieces.h. */

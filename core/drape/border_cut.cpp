@@ -39,7 +39,7 @@ public:
 private:
     bool is_kept(int vertex) const { return m_vertices[vertex].overhang <= m_stub; }
 
-    /// The corners of what is left of a cell.
+    /// The corners of what is left of a cell; none where one of its rods has no end.
     std::vector<int> cut(const std::array<int, 4>& cell) {
         std::vector<int> face;
         const auto add = [&](int vertex) {
@@ -48,18 +48,24 @@ private:
         for (std::size_t k = 0; k < 4; ++k) {
             const int from = cell[k], to = cell[(k + 1) % 4];
             if (is_kept(from)) add(from);
-            if (is_kept(from) != is_kept(to)) add(is_kept(from) ? end_of(from, to) : end_of(to, from));
+            if (is_kept(from) == is_kept(to)) continue;
+            const int end = is_kept(from) ? end_of(from, to) : end_of(to, from);
+            if (end < 0) return {};
+            add(end);
         }
         while (face.size() > 1 && face.front() == face.back()) face.pop_back();
         return face;
     }
 
-    /// Of a rod from a vertex that is kept to one that is not.
+    /// Of a rod from a vertex that is kept to one that is not; −1 where the border is farther away than that one, as
+    /// past a slit on the other side of which it stands.
     int end_of(int kept, int beyond) {
         const auto [known, is_new] = m_end_at.try_emplace(std::minmax(kept, beyond), kept);
         if (!is_new || m_vertices[kept].overhang > 0) return known->second;
         const DrapedVertex end = on_boundary(m_vertices[kept], m_vertices[beyond]);
-        if ((end.position - m_vertices[kept].position).norm() < m_stub) return kept;
+        const double length = (end.position - m_vertices[kept].position).norm();
+        if (length < m_stub) return kept;
+        if (length > m_compass.length() + m_compass.tolerance()) return known->second = -1;
         known->second = static_cast<int>(m_vertices.size() + m_cut.ends.size());
         m_cut.ends.push_back({end, beyond});
         return known->second;

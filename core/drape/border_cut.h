@@ -21,7 +21,8 @@ struct BorderCut {
 /// Cuts the cells of a net that goes over the border of a surface: each rod ends where it meets the boundary curve, and
 /// an edge goes from each end to the next within a cell. A rod that would end in a stub of less than k_shortest_end
 /// stops at its last vertex, and one that goes no farther than that beyond the border stays whole. What is left of a
-/// cell is taken off where it would be a quad with a corner sharper than `smallest_angle`, or hangs on by a corner.
+/// cell is taken off where it would be a quad with a corner sharper than `smallest_angle`, or hangs on by a corner, or
+/// has a rod that is longer than it was.
 BorderCut cut_at_border(const Compass& compass, double smallest_angle, const std::vector<DrapedVertex>& vertices,
                         const std::vector<std::array<int, 4>>& cells);
 

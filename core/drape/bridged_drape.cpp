@@ -41,9 +41,7 @@ bool is_parted(const Compass& compass, const std::vector<DrapedVertex>& vertices
 bool keeps_border(const Compass& compass, const DrapeOptions& options, const Slits* slits,
                   const std::vector<DrapedVertex>& vertices, std::span<const int> face) {
     const auto is_on_surface = [&](int v) { return compass.is_on_surface(vertices[v]); };
-    const auto may_stand = [&](int v) {
-        return is_on_surface(v) || !is_bound(compass.surface(), options, slits, vertices[v].at);
-    };
+    const auto may_stand = [&](int v) { return is_on_surface(v) || !is_bound(options, slits, vertices[v].at); };
     return std::any_of(face.begin(), face.end(), is_on_surface) && std::all_of(face.begin(), face.end(), may_stand);
 }
 

@@ -284,7 +284,7 @@ private:
 
     bool is_allowed(const GridPlace& place, const DrapedVertex& vertex) {
         if (std::abs(place.i) > m_options.reach || std::abs(place.j) > m_options.reach) return false;
-        if (!is_on_surface(vertex) && is_bound(m_compass.surface(), m_options, slits(), vertex.at)) return false;
+        if (!is_on_surface(vertex) && is_bound(m_options, slits(), vertex.at)) return false;
         if (meets_net(place, vertex)) {
             refuse(place, m_met);
             return false;
@@ -488,8 +488,8 @@ void check_drape(const Surface& surface, const DrapeOptions& options) {
         refuse("the angle at the seed must keep within the shear limit");
     if (options.arms == DrapeOptions::Arms::curve && options.along.cols() < 2)
         refuse("a curve for the arms to run along needs at least two points");
-    if (!options.seam.empty() && std::ssize(options.seam) != surface.vertex_count())
-        refuse("the seam must be told of each vertex of the surface");
+    if (!options.seam.empty() && std::ssize(options.seam) != 3 * surface.face_count())
+        refuse("the seam must be told of each side of the surface");
     if (options.reach < 1) refuse("the net must reach at least one cell from the seed");
     // Known beforehand, rather than after minutes; by twice as many, since a part of the surface may not be covered.
     if (options.reach == DrapeOptions{}.reach &&

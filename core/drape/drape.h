@@ -41,8 +41,8 @@ struct DrapeOptions {
     Positions along{};
     /// Where boundary runs along boundary, as along a cut, no edge goes across. Else what is near enough is joined.
     bool slits = false;
-    /// Of each vertex of the surface, whether it was cut from another there; empty where it was nowhere. With `slits`
-    /// no edge goes across such places, either.
+    /// Of each side of the surface's triangles, whether it was cut from another surface there; empty where it was
+    /// nowhere. With `slits` no edge goes across such sides, either.
     std::vector<bool> seam{};
     bool beyond_cuts = false;  ///< with Border::beyond cells go over cuts, too: for rods that are to be cut there later
 };

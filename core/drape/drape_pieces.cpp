@@ -92,29 +92,31 @@ bool is_on(const Guide& piece, const Positions& points, double tolerance) {
 
 const std::string k_no_seed = "no seed is on it";
 
-using SpacePlace = std::array<double, 3>;
+/// Where a side goes from and to.
+using Ends = std::array<double, 6>;
 
-SpacePlace place_of(const Surface& surface, int vertex) {
-    const Eigen::Vector3d position = surface.positions().col(vertex);
-    return {position.x(), position.y(), position.z()};
+Ends ends_of(const Surface& surface, int side) {
+    const Eigen::Vector3d from = surface.positions().col(surface.from(side)),
+                          to = surface.positions().col(surface.to(side));
+    return {from.x(), from.y(), from.z(), to.x(), to.y(), to.z()};
 }
 
-/// Where a surface has been cut.
-std::set<SpacePlace> cut_places(const Surface& surface) {
-    std::set<SpacePlace> places;
+/// Of the sides along which a surface has been cut.
+std::set<Ends> cut_ends(const Surface& surface) {
+    std::set<Ends> cut;
     const std::vector<int> facing = facing_sides(surface);
     for (int side = 0; side < std::ssize(facing); ++side)
-        if (facing[side] >= 0)
-            for (const int vertex : {surface.from(side), surface.to(side)}) places.insert(place_of(surface, vertex));
-    return places;
+        if (facing[side] >= 0) cut.insert(ends_of(surface, side));
+    return cut;
 }
 
-/// The vertices of a piece at some places; empty if there is no place.
-std::vector<bool> vertices_at(const Surface& piece, const std::set<SpacePlace>& places) {
-    if (places.empty()) return {};
-    std::vector<bool> is_there(static_cast<std::size_t>(piece.vertex_count()));
-    for (int v = 0; v < piece.vertex_count(); ++v) is_there[v] = places.contains(place_of(piece, v));
-    return is_there;
+/// Which sides of a piece are among those; empty if there are none.
+std::vector<bool> sides_among(const Surface& piece, const std::set<Ends>& cut) {
+    if (cut.empty()) return {};
+    std::vector<bool> is_cut(3 * static_cast<std::size_t>(piece.face_count()));
+    for (int side = 0; side < 3 * piece.face_count(); ++side)
+        is_cut[side] = piece.opposite(side) < 0 && cut.contains(ends_of(piece, side));
+    return is_cut;
 }
 
 DrapedPiece draped_from(int number, const std::shared_ptr<const Guide>& piece, DrapeOptions own, double leave) {
@@ -159,7 +161,7 @@ DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& wanted) {
     if (wants_curve) options.drape.along = laid_onto(surface, wanted.drape.along);
     const std::map<int, Eigen::Vector3d> seeds = seeds_by_piece(surface, options.seeds);
     std::vector<Surface> pieces = pieces_of(surface);
-    const std::set<SpacePlace> cuts = cut_places(surface);
+    const std::set<Ends> cuts = cut_ends(surface);
     const int first = options.first_seed ? piece_of(surface, options.drape.seed) : -1;
     std::vector<DrapedPiece> draped;
     std::vector<BarePiece> bare;
@@ -175,7 +177,7 @@ DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& wanted) {
         if (number == first) seed = &options.drape.seed;
         const bool is_given = number == first && (!options.best || options.has_direction);
         try {
-            options.drape.seam = vertices_at(pieces[number], cuts);
+            options.drape.seam = sides_among(pieces[number], cuts);
             const auto piece = std::make_shared<const Guide>(std::move(pieces[number]));
             draped.push_back(is_given ? draped_from(number, piece, options.drape, options.leave)
                                       : draped_piece(number, piece, options, seed));

@@ -1,6 +1,6 @@
 #include "drape/slits.h"
 
-#include <algorithm>
+#include <limits>
 
 #include "base/error.h"
 #include "surface/geodesics.h"
@@ -10,26 +10,27 @@ namespace chebnet {
 
 namespace {
 
+constexpr double k_infinity = std::numeric_limits<double>::infinity();
 // A weight below it counts as 0.
 constexpr double k_on_side = 1e-9;
 // Triangles no farther from a slit than so many edges of the net are near it.
 constexpr double k_near_slit = 3;
+// In edges of the net: a way that comes so near to a point of a bank has reached it. No rod ends in a shorter stub.
+constexpr double k_reached = 0.05;
 
 }  // namespace
 
 Slits::Slits(const Surface& surface, const SurfaceTree& tree, double reach, const std::vector<bool>& seam)
-    : m_surface(surface), m_tree(tree) {
+    : m_surface(surface), m_tree(tree), m_reach(reach) {
     find_banks(seam);
-    if (!none()) find_near(reach);
+    if (!none()) find_near();
 }
 
-/// Vertices of sides that face another, or another surface, numbered by runs along the boundary. At the end of a slit
-/// it turns back.
+/// Sides that face another, or another surface, and their vertices, numbered by runs along the boundary. At the end of
+/// a slit it turns back.
 void Slits::find_banks(const std::vector<bool>& seam) {
     const std::vector<int> facing = facing_sides(m_surface);
-    const auto is_cut = [&](int side) {
-        return facing[side] >= 0 || (!seam.empty() && seam[m_surface.from(side)] && seam[m_surface.to(side)]);
-    };
+    const auto is_cut = [&](int side) { return facing[side] >= 0 || (!seam.empty() && seam[side]); };
     const auto turns_back = [&](int side, int next) { return facing[side] == next; };
     int bank = 0;
     for (const std::vector<int>& loop : m_surface.boundary_loops()) {
@@ -44,7 +45,11 @@ void Slits::find_banks(const std::vector<bool>& seam) {
                 ++bank;
                 continue;
             }
-            if (none()) m_bank_of.assign(static_cast<std::size_t>(m_surface.vertex_count()), 0);
+            if (none()) {
+                m_bank_of.assign(static_cast<std::size_t>(m_surface.vertex_count()), 0);
+                m_bank_along.assign(3 * static_cast<std::size_t>(m_surface.face_count()), 0);
+            }
+            m_bank_along[side] = bank;
             const int before = loop[(start + k + n - 1) % n];
             if (!turns_back(before, side)) m_bank_of[m_surface.from(side)] = bank;
             if (turns_back(side, next))
@@ -55,35 +60,31 @@ void Slits::find_banks(const std::vector<bool>& seam) {
     }
 }
 
-void Slits::find_near(double reach) {
+void Slits::find_near() {
     std::vector<SurfacePoint> sources;
     for (int side = 0; side < 3 * m_surface.face_count(); ++side)
-        if (m_bank_of[m_surface.from(side)] > 0) sources.push_back(Surface::start_of(side));
-    const std::vector<double> distances = geodesic_distances(m_surface, sources);
+        if (m_bank_along[side] > 0)
+            for (const int end : {side, Surface::next(side)}) sources.push_back(Surface::start_of(end));
+    const std::vector<double> distances = geodesic_distances(m_surface, sources, k_near_slit * m_reach);
     m_is_near.resize(static_cast<std::size_t>(m_surface.face_count()));
-    for (int f = 0; f < m_surface.face_count(); ++f) {
-        const Eigen::Vector3i corners = m_surface.triangles().col(f);
-        const double nearest = std::min({distances[corners[0]], distances[corners[1]], distances[corners[2]]});
-        m_is_near[f] = nearest <= k_near_slit * reach;
-    }
+    for (int f = 0; f < m_surface.face_count(); ++f)
+        for (const int corner : m_surface.triangles().col(f))
+            m_is_near[f] = m_is_near[f] || distances[corner] < k_infinity;
 }
 
 int Slits::bank_of(const SurfacePoint& point) const {
-    int bank = 0;
-    for (int k = 0; k < 3; ++k)
-        if (point.weights[k] > k_on_side) {
-            const int vertex = m_surface.triangles()(k, point.face);
-            if (m_surface.is_boundary(vertex)) bank = std::max(bank, m_bank_of[vertex]);
-        }
-    // Inside a triangle, or on a side that is none of the boundary, a point is on no bank.
-    const int corners = static_cast<int>((point.weights.array() > k_on_side).count());
-    if (corners == 3) return 0;
-    if (corners == 2) {
-        int across = 0;
-        point.weights.minCoeff(&across);
-        if (m_surface.opposite(Surface::next(3 * point.face + across)) >= 0) return 0;
+    int corner = 0, across = 0;
+    switch ((point.weights.array() > k_on_side).count()) {
+        case 1:
+            point.weights.maxCoeff(&corner);
+            return m_bank_of[m_surface.triangles()(corner, point.face)];
+        case 2:
+            // Not by the ends of the side: ordinary border may begin at a bank.
+            point.weights.minCoeff(&across);
+            return m_bank_along[Surface::next(3 * point.face + across)];
+        default:
+            return 0;
     }
-    return bank;
 }
 
 SurfaceTree::Nearest Slits::nearest(const Eigen::Vector3d& point, int from) const {
@@ -115,31 +116,34 @@ SurfaceTree::Nearest Slits::descended(const Eigen::Vector3d& point, int from) co
     return best;
 }
 
-/// Whether the straight way from a vertex on the surface to another ends at a bank on which neither stands.
+/// Whether the straight way from a vertex on the surface to another ends at a bank before it is there.
 bool Slits::runs_into_bank(const DrapedVertex& from, const DrapedVertex& to) const {
     const int bank_to = bank_of(to.at);
     const Eigen::Vector3d target = bank_to > 0 ? m_surface.position_at(to.at) : to.position;
-    const Eigen::Vector3d direction = target - from.position;
+    const Eigen::Vector3d direction = target - m_surface.position_at(from.at);
     try {
         GeodesicWalk walk(m_surface, from.at, direction);
-        double rest = direction.norm();
+        // A little farther, as rounding would else decide whether what stands on a slit is before it.
+        double rest = (1 + k_on_side) * direction.norm();
         while (rest > 0 && !walk.is_at_boundary()) rest -= walk.advance(rest);
         const int bank = walk.is_at_boundary() ? bank_of(walk.point()) : 0;
-        return bank > 0 && bank != bank_to && bank != bank_of(from.at);
+        return bank > 0 && (bank != bank_to || rest > k_reached * m_reach);
     } catch (const Error&) {
         return false;  // straight above each other
     }
 }
 
+/// Whether a way from triangle to triangle leads from a vertex to where another stands on a bank, and not just to that
+/// bank: where a slit is bent, it may do so on another arm.
 bool Slits::reaches_bank(const DrapedVertex& from, const DrapedVertex& banked) const {
-    const Eigen::Vector3d target = m_surface.position_at(banked.at);
-    return bank_of(descended(target, from.at.face).at) == bank_of(banked.at);
+    const SurfaceTree::Nearest end = descended(m_surface.position_at(banked.at), from.at.face);
+    return bank_of(end.at) == bank_of(banked.at) && end.distance <= k_reached * m_reach;
 }
 
 bool Slits::part(const DrapedVertex& a, const DrapedVertex& b) const {
     if (none() || (!m_is_near[a.at.face] && !m_is_near[b.at.face])) return false;
     const int bank_a = bank_of(a.at), bank_b = bank_of(b.at);
-    if (bank_a > 0 && bank_a == bank_b) return false;
+    if (bank_a > 0 && bank_a == bank_b) return !reaches_bank(a, b);
     // Where a slit ends near the bank, the way that leads there may go round its end, the straight one across.
     if (bank_b > 0) return !reaches_bank(a, b) || runs_into_bank(a, b);
     if (bank_a > 0) return !reaches_bank(b, a) || runs_into_bank(b, a);

@@ -14,8 +14,8 @@ namespace chebnet {
 /// go across it. A bank is one side of a slit. Keeps references to surface and tree.
 class Slits {
 public:
-    /// `reach`: the length of a net's edges; what is asked for is no farther apart than two of them. `seam`: of each
-    /// vertex, whether the surface was cut from another there (see DrapeOptions); empty where it was nowhere.
+    /// `reach`: the length of a net's edges; what is asked for is no farther apart than four of them. `seam`: of each
+    /// side, whether the surface was cut from another there (see DrapeOptions); empty where it was nowhere.
     Slits(const Surface& surface, const SurfaceTree& tree, double reach, const std::vector<bool>& seam = {});
 
     bool none() const { return m_bank_of.empty(); }
@@ -32,7 +32,7 @@ public:
 
 private:
     void find_banks(const std::vector<bool>& seam);
-    void find_near(double reach);
+    void find_near();
     int bank_of(const SurfacePoint& point) const;
     SurfaceTree::Nearest descended(const Eigen::Vector3d& point, int from) const;
     bool runs_into_bank(const DrapedVertex& from, const DrapedVertex& to) const;
@@ -40,8 +40,10 @@ private:
 
     const Surface& m_surface;
     const SurfaceTree& m_tree;
-    std::vector<int> m_bank_of;   // of each vertex, from 1; 0 elsewhere, also where a slit ends; empty without slits
-    std::vector<bool> m_is_near;  // of each triangle
+    double m_reach;
+    std::vector<int> m_bank_of;     // of each vertex, from 1; 0 elsewhere, also where a slit ends; empty without slits
+    std::vector<int> m_bank_along;  // of each side, likewise
+    std::vector<bool> m_is_near;    // of each triangle
 };
 
 }  // namespace chebnet

@@ -41,14 +41,16 @@ public:
             lower(v, (m_surface.positions().col(v) - position).norm());
     }
 
-    std::vector<double> run() {
-        while (!m_waiting.empty()) {
+    std::vector<double> run(double most) {
+        while (!m_waiting.empty() && m_waiting.top().first <= most) {
             const int vertex = m_waiting.top().second;
             m_waiting.pop();
             if (m_is_final[vertex]) continue;
             m_is_final[vertex] = true;
             go_on_from(vertex);
         }
+        for (std::size_t v = 0; v < m_distances.size(); ++v)
+            if (!m_is_final[v]) m_distances[v] = k_infinity;
         return std::move(m_distances);
     }
 
@@ -93,10 +95,10 @@ private:
 
 }  // namespace
 
-std::vector<double> geodesic_distances(const Surface& surface, std::span<const SurfacePoint> sources) {
+std::vector<double> geodesic_distances(const Surface& surface, std::span<const SurfacePoint> sources, double most) {
     March march(surface);
     for (const SurfacePoint& source : sources) march.begin_at(source);
-    return march.run();
+    return march.run(most);
 }
 
 }  // namespace chebnet

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -55,9 +56,11 @@ struct Geodesic {
 Geodesic trace_geodesic(const Surface& surface, const SurfacePoint& start, const Eigen::Vector3d& direction,
                         double length);
 
-/// V, the distance over the surface to the nearest of the `sources`; infinity in components without one. By fast
-/// marching (Kimmel & Sethian 1998), where each triangle is unfolded with a source at which its two known corners have
-/// their distances (Novotni & Klein 2002). In a plane it misses less than a tenth of a triangle's side.
-std::vector<double> geodesic_distances(const Surface& surface, std::span<const SurfacePoint> sources);
+/// V, the distance over the surface to the nearest of the `sources`; infinity where that is more than `most`, or in
+/// components without one. By fast marching (Kimmel & Sethian 1998), where each triangle is unfolded with a source at
+/// which its two known corners have their distances (Novotni & Klein 2002). In a plane it misses less than a tenth of a
+/// triangle's side.
+std::vector<double> geodesic_distances(const Surface& surface, std::span<const SurfacePoint> sources,
+                                       double most = std::numeric_limits<double>::infinity());
 
 }  // namespace chebnet

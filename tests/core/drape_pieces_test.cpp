@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "drape/cut_proposals.h"
 #include "drape/proposals.h"
+#include "drape/slits.h"
 #include "net/measures.h"
 #include "net/topology.h"
 #include "sample_surfaces.h"
@@ -122,6 +123,34 @@ TEST_CASE("No net lies on another along a cut, nor on itself along a slit") {
         }
 }
 
+TEST_CASE("Over its outer border a piece of a coarse surface goes as far as it does alone") {
+    const Surface square(samples::plane(2, 1));
+    const Surface halves = cut_along(square, {{-1, 0, 0}, {1, 0, 0}});
+    PiecesOptions options = wish(0.17, Border::beyond);
+    options.seeds = {{0.01, -0.52, 0}, {0.52, 0.52, 0}};
+    const DrapedPieces made = drape_pieces(halves, options);
+    for (const DrapedPiece& piece : made.draped) {
+        const auto x = piece.drape.net.rest_positions().row(0), y = piece.drape.net.rest_positions().row(1);
+        CHECK(x.minCoeff() < -1);
+        CHECK(x.maxCoeff() > 1);
+        CHECK(std::max(-y.minCoeff(), y.maxCoeff()) > 1);
+        CHECK(std::min(-y.minCoeff(), y.maxCoeff()) < 1e-9);
+    }
+    CHECK(made.report.coverage > 0.99);
+
+    // A side of the outer border may have both ends on cuts.
+    const SurfaceTree tree(square);
+    const std::vector<CutLine> cuts = {cut_line(square, tree, points({{-1, -0.4, 0}, {1, -0.4, 0}})),
+                                       cut_line(square, tree, points({{-1, 0.4, 0}, {1, 0.4, 0}}))};
+    const Surface thirds = cut_open(square, cuts);
+    options.seeds = {{0.01, 0.02, 0}};
+    const DrapedPieces middle = drape_pieces(thirds, options);
+    const Positions& x = middle.net.rest_positions();
+    CHECK(x.row(0).minCoeff() < -1);
+    CHECK(x.row(0).maxCoeff() > 1);
+    CHECK(x.row(1).cwiseAbs().maxCoeff() < 0.4 + 1e-9);
+}
+
 TEST_CASE("No edge goes across a slit in a plane, and around its end the net is one") {
     const Surface square(samples::plane(15, 1));
     const Eigen::Vector3d from(-1, 0.031, 0), to(0.417, 0.052, 0);
@@ -200,6 +229,64 @@ TEST_CASE("No edge goes across where cuts cross at a small angle, nor across a p
     }
 }
 
+TEST_CASE("No rod goes across a slit that bends, nor is cut longer than it was") {
+    const Surface square(samples::plane(21, 1));
+    struct Case {
+        double length;
+        std::array<Eigen::Vector3d, 3> line;
+        Eigen::Vector3d seed, direction;
+    };
+    const Case cases[] = {
+        {0.07,
+         {{{1, -0.6201705505953307, 0},
+           {0.5654148462043186, 0.19027916643546517, 0},
+           {0.07215940190856229, -0.3556176302994788, 0}}},
+         {-0.7916257336525446, -0.3004423664709155, 0},
+         {-0.221253746048361, 0.3699210172281613, 0}},
+        {0.1, {{{-0.5, -0.6, 0}, {0.6, 0.05, 0}, {-0.6, 0.3, 0}}}, {-0.7, 0.8, 0}, {0.8, 0.3, 0}},
+        {0.06, {{{-0.6, 0, 0}, {0, 0.1, 0}, {0.5, -0.6, 0}}}, {-0.7, -0.8, 0}, {0.5, 0.4, 0}},
+    };
+    for (const auto& [length, line, seed, direction] : cases) {
+        CAPTURE(length);
+        PiecesOptions options = wish(length, Border::cut);
+        options.first_seed = true;
+        options.drape.seed = seed;
+        options.drape.direction = direction;
+        const DrapedPieces made = drape_pieces(cut_along(square, {line.begin(), line.end()}), options);
+        for (std::size_t k = 0; k < 2; ++k) CHECK(edges_across(made.net, line[k], line[k + 1], 0.051 * length) == 0);
+        // Between the ends of two rods an edge may be the diagonal of a cell.
+        CHECK(made.net.rest_lengths().maxCoeff() < 1.001 * std::numbers::sqrt2 * length);
+        CHECK(made.report.coverage > 0.98);
+    }
+}
+
+TEST_CASE("A slit parts what is on its two sides, also on the slit itself and beyond the border") {
+    const Surface slit = cut_along(Surface(samples::plane(21, 1)), {{0.8, -0.5, 0}, {0.8, 0.21, 0}});
+    const SurfaceTree tree(slit);
+    const Slits slits(slit, tree, 0.5);
+    const auto at = [&](double x, double y) {
+        const Eigen::Vector3d position(x, y, 0);
+        const SurfaceTree::Nearest near = tree.nearest(position);
+        return DrapedVertex{position, near.at, Eigen::Vector3d::UnitZ(), near.distance};
+    };
+    // As seen from the point of the border below it.
+    CHECK(slits.part(at(1.1, 0.4), at(0.6, 0)));
+    CHECK_FALSE(slits.part(at(1.1, 0.6), at(0.6, 0.2)));
+
+    DrapedVertex on_left = at(0.8 - 1e-3, 0.2);
+    on_left.position.x() = 0.8;
+    const SurfaceTree::Nearest near = tree.nearest_in(on_left.at.face, on_left.position);
+    REQUIRE(near.distance < 1e-12);
+    on_left.at = near.at;
+    for (int k = 0; k < 50; ++k) {
+        const double y = 0.207 - 0.011 * k, across = 0.03 + 0.002 * k;
+        CAPTURE(y);
+        CHECK(slits.part(at(0.8 + across, y), on_left));
+        CHECK(slits.part(on_left, at(0.8 + across, y)));
+        CHECK_FALSE(slits.part(at(0.8 - across, y), on_left));
+    }
+}
+
 TEST_CASE("A slit relieves curvature: a cone's tip takes a net that does not go round it") {
     // A right cone of slope 1 misses 2π (1 − 1/√2) of angle at its tip; slit from there to its border it unrolls.
     const int around = 72;
@@ -272,6 +359,7 @@ TEST_CASE("Proposed cuts help by as much as is said, and where nothing is to be 
     const SurfaceTree torso_tree(torso);
     options.drape = suggested_drape(torso, torso_tree, 150);
     const CutProposals near_border = propose_cuts(torso, options.drape, 2);
+    REQUIRE_FALSE(near_border.cuts.empty());
     std::vector<CutLine> again;
     for (const CutLine& cut : near_border.cuts) again.push_back(cut_line(torso, torso_tree, points_of(torso, cut)));
     CHECK(drape_pieces(cut_open(torso, again), options).report.coverage ==

@@ -151,6 +151,15 @@ TEST_CASE("Distances on a sphere are arcs, to the nearest of several sources") {
     CHECK(largest_error < 0.01);
 }
 
+TEST_CASE("Distances that are looked for up to a limit are the same, and none is farther") {
+    const Surface surface(samples::sphere(20));
+    const std::vector<SurfacePoint> sources{place_near(surface, {0.2, 0.9, 0.4})};
+    const std::vector<double> all = geodesic_distances(surface, sources),
+                              near = geodesic_distances(surface, sources, 0.8);
+    for (int v = 0; v < surface.vertex_count(); ++v)
+        CHECK(near[v] == (all[v] <= 0.8 ? all[v] : std::numeric_limits<double>::infinity()));
+}
+
 TEST_CASE("No way leads to another piece") {
     Mesh mesh = samples::plane(3, 1);
     const int count = static_cast<int>(mesh.positions.cols());
