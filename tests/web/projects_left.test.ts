@@ -75,7 +75,7 @@ async function start(keeps: boolean): Promise<Projects> {
 }
 
 function edit(): void {
-  history.record(snapshot(), ['drape']);
+  history.record(snapshot(), ['solve']);
 }
 
 test.each([
