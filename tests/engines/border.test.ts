@@ -193,7 +193,7 @@ const WHOLE = {
   equalizer: ['index_out_of_range'],
   change: ['impossible_change'],
   exactChange: ['index_out_of_range'],
-  openSurface: ['bad_scale'],
+  openSurface: ['index_out_of_range'],
   ownSurface: ['bad_option'],
   propose: ['bad_option'],
   proposeSeeds: ['bad_option'],
