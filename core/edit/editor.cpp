@@ -517,7 +517,7 @@ void Editor::draw_targets_near() {
     for (Eigen::Index i = 0; i < count; ++i) {
         rest.col(i) = m_net->rest_positions().col(m_handles[i].vertex);
         targets.col(i) = goal(m_handles[i]);
-        // What only draws is reached by nothing anyway.
+        // A soft handle only draws, in its direction from however far.
         if (!m_handles[i].is_exact()) targets.col(i) = drawn_near(targets.col(i), rest.col(i), farthest);
         is_far |= m_handles[i].is_exact() && (targets.col(i) - rest.col(i)).cwiseAbs().maxCoeff() > farthest;
     }
