@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "border.h"
 #include "edit/editor.h"
 #include "edit/field.h"
@@ -18,6 +19,7 @@
 #include "io/obj.h"
 #include "mesh_border.h"
 #include "net/measures.h"
+#include "net/net.h"
 #include "net/rods.h"
 #include "session.h"
 #include "shapes/shapes.h"
@@ -32,34 +34,30 @@ namespace {
 
 void set_text(val& row, const char* name, const char* text) { row.set(name, std::string(text)); }
 
+val parameter_out(const ShapeParameter& parameter) {
+    val row = val::object();
+    set_text(row, "name", parameter.name);
+    row.set("value", parameter.value);
+    row.set("smallest", parameter.smallest);
+    row.set("largest", parameter.largest);
+    set_text(row, "sentence", parameter.sentence);
+    return row;
+}
+
 val shapes() {
-    val table = val::array();
-    for (const ShapeInfo& shape : shape_table()) {
-        val parameters = val::array();
-        for (const ShapeParameter& parameter : shape.parameters) {
-            val row = val::object();
-            set_text(row, "name", parameter.name);
-            row.set("value", parameter.value);
-            row.set("smallest", parameter.smallest);
-            row.set("largest", parameter.largest);
-            set_text(row, "sentence", parameter.sentence);
-            parameters.call<void>("push", row);
-        }
+    return list_out(shape_table(), [](const ShapeInfo& shape) {
         val row = val::object();
         set_text(row, "name", shape.name);
         set_text(row, "title", shape.title);
         set_text(row, "sentence", shape.sentence);
-        row.set("parameters", parameters);
+        row.set("parameters", list_out(shape.parameters, parameter_out));
         set_text(row, "offered", shape.offered != nullptr ? shape.offered : shape.name);
-        table.call<void>("push", row);
-    }
-    return table;
+        return row;
+    });
 }
 
 val texts(NameList names) {
-    val list = val::array();
-    for (const char* name : names) list.call<void>("push", std::string(name));
-    return list;
+    return list_out(names, [](const char* name) { return std::string(name); });
 }
 
 val options_of(const MethodInfo& method) {
@@ -70,59 +68,51 @@ val options_of(const MethodInfo& method) {
 }
 
 val methods() {
-    val table = val::array();
-    for (const MethodInfo& method : method_table()) {
+    return list_out(method_table(), [](const MethodInfo& method) {
         val row = val::object();
         set_text(row, "name", method.name);
         set_text(row, "sentence", method.sentence);
         set_text(row, "citation", method.citation);
-        row.set("slides", method.slides);
+        row.set("slides", method.heeds.slides);
         row.set("stages", texts(method.stages));
         row.set("options", options_of(method));
-        table.call<void>("push", row);
-    }
-    return table;
+        return row;
+    });
 }
 
 val initialisations() {
-    val table = val::array();
-    for (const InitialisationInfo& initialisation : initialisation_table()) {
+    return list_out(initialisation_table(), [](const InitialisationInfo& initialisation) {
         val row = val::object();
         set_text(row, "name", initialisation.name);
         row.set("counted", initialisation.counted);
         set_text(row, "sentence", initialisation.sentence);
         set_text(row, "citation", initialisation.citation);
-        table.call<void>("push", row);
-    }
-    return table;
+        return row;
+    });
 }
 
 val formats() {
-    val table = val::array();
-    for (const FormatInfo& format : format_table()) {
+    return list_out(format_table(), [](const FormatInfo& format) {
         val row = val::object();
         set_text(row, "name", format.name);
         set_text(row, "title", format.title);
         set_text(row, "sentence", format.sentence);
         set_text(row, "mediaType", format.media_type);
-        table.call<void>("push", row);
-    }
-    return table;
+        return row;
+    });
 }
 
 val option_rows(const Options& values) {
-    val table = val::array();
-    for (const OptionInfo& option : option_table()) {
+    return list_out(option_table(), [&](const OptionInfo& option) {
         val row = val::object();
         set_text(row, "name", option.name);
-        set_text(row, "kind", option.kind);
+        set_text(row, "kind", to_string(option.kind));
         row.set("value", get_option(values, option.name));
         row.set("smallest", option.smallest);
         row.set("largest", option.largest);
         set_text(row, "sentence", option.sentence);
-        table.call<void>("push", row);
-    }
-    return table;
+        return row;
+    });
 }
 
 val default_options() { return option_rows(Options{}); }
@@ -134,8 +124,12 @@ Session* open_recipe(std::string recipe) {
     return new Session{Editor(std::move(shape.net)), std::move(shape.suggested_handles)};
 }
 
+constexpr EnumName<RestLengths> k_rest_lengths[] = {
+    {"automatic", RestLengths::automatic}, {"equal", RestLengths::equal}, {"own", RestLengths::own}};
+
 Session* open(Mesh mesh, const std::string& rest_lengths) {
-    Net net(std::move(mesh.positions), std::move(mesh.faces), rest_lengths_named(rest_lengths));
+    Net net(std::move(mesh.positions), std::move(mesh.faces),
+            named(k_rest_lengths, rest_lengths, "choice of rest lengths"));
     return new Session{Editor(std::move(net)), {}};
 }
 
@@ -279,7 +273,9 @@ Positions positions_in(val flat) {
     return Eigen::Map<const Positions>(numbers.data(), 3, static_cast<Eigen::Index>(numbers.size() / 3));
 }
 
-/// `options`: names and values in turn; those not named are at their defaults. `locality`: as locality() gives it.
+/// By set_state() or change_state(). `options`: names and values in turn; those not named are at their defaults.
+/// `locality`: as locality() gives it.
+template <void (Editor::*go_to)(EditState)>
 void set_state(Session& session, std::string method, std::string initialisation, val options, val handles, val locality,
                val positions) {
     EditState state;
@@ -294,7 +290,7 @@ void set_state(Session& session, std::string method, std::string initialisation,
                                   positions_in(locality["heldAt"])};
     state.guide = session.editor.guide();
     state.positions = positions_in(positions);
-    session.editor.set_state(std::move(state));
+    (session.editor.*go_to)(std::move(state));
 }
 
 // ------------------------------------------------------------------------------------------------------------ solving
@@ -382,6 +378,7 @@ val to_file(const Session& session, std::string name) {
 double memory() { return static_cast<double>(emscripten_get_heap_size()); }
 
 EMSCRIPTEN_BINDINGS(chebnet) {
+    emscripten::constant("largestSize", k_largest_size);
     emscripten::function("shapes", guarded<&shapes>);
     emscripten::function("methods", guarded<&methods>);
     emscripten::function("initialisations", guarded<&initialisations>);
@@ -418,7 +415,8 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("dragHandle", guarded<&drag_handle>)
         .function("releaseHandles", guarded<&release_handles>)
         .function("holdsBack", guarded<&holds_back>)
-        .function("setState", guarded<&set_state>)
+        .function("setState", guarded<&set_state<&Editor::set_state>>)
+        .function("changeState", guarded<&set_state<&Editor::change_state>>)
         .function("solve", guarded<&solve>)
         .function("reset", guarded<&reset>)
         .function("positions", guarded<&positions>)

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <new>
 #include <string>
 #include <utility>
@@ -31,6 +32,14 @@ val copy_out(const Container& container) {
 /// The bytes as a Uint8Array.
 inline val bytes_out(const std::string& bytes) {
     return copy_out(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+}
+
+/// An array of what `row_of` makes of each item; of the items themselves, unless it is given.
+template <typename Range, typename RowOf = std::identity>
+val list_out(const Range& range, const RowOf& row_of = {}) {
+    val list = val::array();
+    for (const auto& item : range) list.call<void>("push", row_of(item));
+    return list;
 }
 
 [[noreturn]] inline void throw_to_javascript(const char* code, const char* message) {

@@ -17,7 +17,7 @@ val change(val given, std::string name, val vertices, val edges) {
     const ChangedMesh changed = find_change(name).make(net, {emscripten::convertJSArrayToNumberVector<int>(vertices),
                                                              emscripten::convertJSArrayToNumberVector<int>(edges)});
     val object = val::object();
-    object.set("mesh", mesh_out(changed.mesh));
+    object.set("mesh", mesh_out(changed.mesh.positions, changed.mesh.faces));
     object.set("origins", copy_out(changed.origins));
     object.set("lengthFactor", changed.length_factor);
     object.set("keepsEdges", changed.keeps_edges);

@@ -4,10 +4,10 @@
  */
 
 /**
- * An `Error` whose `code` is a name from core/base/error.h, e.g. "non_manifold_edge", and whose message is the core's.
- * Three codes more: "disposed" (the editor was used after dispose), "left_out" (see wasm/editors.d.ts) and "internal" (a
- * fault of chebnet itself). Only a trap of the module, a `WebAssembly.RuntimeError`, carries no code: then nothing of it
- * may be used any more.
+ * An `Error` whose `code` is a name from core/base/error.h, e.g. "non_manifold_edge" or "left_out" (see
+ * wasm/editors.d.ts), and whose message is the core's. Two codes more: "disposed" (what was used had been disposed) and
+ * "internal" (a fault of chebnet itself). Only a trap of the module, a `WebAssembly.RuntimeError`, carries no code: then
+ * nothing of it may be used any more.
  */
 export interface ChebnetError extends Error {
   code: string;
@@ -72,7 +72,7 @@ export interface FormatInfo {
   mediaType: string;
 }
 
-/** Numbers of the edges or vertices of a net, by the names of core/edit/field.h. */
+/** Numbers of the edges or vertices of a net, by the names of the table in core/edit/field.cpp. */
 export interface CoreFields {
   /** dL of every edge. */
   deviation: Float32Array;
@@ -378,9 +378,11 @@ export interface Editor {
 
   state(): EditState;
   /** Exact handles then snap to their targets. If anything of it is refused, nothing changes; if it is the present state, a
-   *  solve under way goes on. Each function of this interface that begins with `set` sets the present state with one thing
-   *  changed. */
+   *  solve under way goes on. */
   setState(state: EditState): void;
+  /** The same for the present state with some of it changed, as other functions of this interface that begin with `set` change
+   *  it: if the option `length_scale` changes and the positions do not, these grow with it. */
+  changeState(change: Partial<EditState>): void;
 
   /** Those dragged where they stand. */
   handles(): Handle[];
@@ -390,7 +392,8 @@ export interface Editor {
    *  back, as near as the net goes, and on the axis or plane `along` which the hand is kept, if it is. Other methods:
    *  `moveHandle`. */
   dragHandle(vertex: number, target: readonly [number, number, number], along?: Axes): void;
-  /** Lets go of what was dragged: when the solve ends, handles that are held back take the place where they stand as target. */
+  /** Lets go of what was dragged: when the solve ends, handles that are held back take the place where they stand as target; but
+   *  where all are to be home, as at rest, the net rests as it did, unless it had been pushed into another shape before. */
   releaseHandles(): void;
   /** Whether dragged handles are held back now. */
   readonly holdsBack: boolean;
@@ -571,6 +574,8 @@ export interface SurfaceReport {
   smoothedCurvature: TotalCurvature;
   /** The larger of the latter's two, in the component where that is largest; one net can take 2π. */
   hardestCurvature: number;
+  /** Part of the largest piece that a net of a few hundred cells covers, the best of some that were tried. */
+  triedCoverage: number;
   prospect: Prospect;
   /** The prospect, for a person. */
   sentence: string;

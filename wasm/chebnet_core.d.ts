@@ -63,6 +63,9 @@ export interface CoreLocality {
   heldAt: Float64Array;
 }
 
+/** Method, initialisation, options (names and values in turn), handles, locality and positions. */
+export type CoreState = [string, string, string[], CoreHandles, CoreLocality | null, Float64Array];
+
 export interface Session {
   info(): NetInfo;
   edges(): Int32Array;
@@ -92,15 +95,8 @@ export interface Session {
   dragHandle(vertex: number, x: number, y: number, z: number, along: number): void;
   releaseHandles(): void;
   holdsBack(): boolean;
-  /** `options`: names and values in turn. */
-  setState(
-    method: string,
-    initialisation: string,
-    options: string[],
-    handles: CoreHandles,
-    locality: CoreLocality | null,
-    positions: Float64Array,
-  ): void;
+  setState(...state: CoreState): void;
+  changeState(...changed: CoreState): void;
   solve(iterations: number, milliseconds: number): CoreReport;
   reset(): void;
   positions(): Float64Array;
@@ -205,6 +201,8 @@ export interface Core {
   ownSurface(name: string): CoreSurface;
   ownSurfaces(): OwnSurfaceInfo[];
   readonly mergeTolerance: number;
+  /** Of coordinates. */
+  readonly largestSize: number;
 }
 
 export default function createCore(settings: {

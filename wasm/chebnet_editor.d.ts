@@ -1,2 +1,2 @@
-/** As chebnet_core.js, without the bindings of file_border.cpp and equalize_border.cpp, which nobody asks of wasm/editors.js. */
+/** As chebnet_core.js, with the bindings of bindings.cpp alone (see CMakeLists.txt); facade.js refuses what needs others. */
 export { default } from './chebnet_core.js';

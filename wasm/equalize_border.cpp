@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/text.h"
+#include "base/enum_names.h"
 #include "edit/equalize.h"
 #include "mesh_border.h"
 #include "open_surface.h"
@@ -13,22 +13,15 @@
 namespace chebnet {
 namespace {
 
-EqualLength equal_length_named(const std::string& name) {
-    if (name == "mean") return EqualLength::mean;
-    if (name == "fitting") return EqualLength::fitting;
-    if (name == "given") return EqualLength::given;
-    throw Error(ErrorCode::bad_option, "a length is mean, fitting or a number, not " + quoted(name));
-}
-
 /// `options`: an object of `choice`, `length`, `handles` (an Int32Array), `method`, `shearLimit` and `guide`
 /// (a surface or null).
 Equalizer* equalizer(val mesh, val given) {
     Mesh original = mesh_in(mesh);
     EqualizeOptions options;
-    options.choice = equal_length_named(given["choice"].as<std::string>());
+    options.choice = named(k_equal_lengths, given["choice"].as<std::string>(), "length");
     options.length = given["length"].as<double>();
     options.handles = emscripten::convertJSArrayToNumberVector<int>(given["handles"]);
-    options.method = given["method"].as<std::string>();
+    options.way = equalize_way_named(given["method"].as<std::string>());
     options.shear_limit = given["shearLimit"].as<double>();
     if (!given["guide"].isNull())
         options.guide = given["guide"].as<OpenSurface*>(emscripten::allow_raw_pointers())->guide;
@@ -53,23 +46,21 @@ val distance_out(const GuideDistance& distance) {
 
 val worst_edges_out(const Equalizer& equalizer, const std::vector<int>& edges) {
     const Eigen::Matrix2Xi& ends = equalizer.original().edges();
-    val list = val::array();
-    for (const int e : edges) {
+    return list_out(edges, [&](int e) {
         const int a = ends(0, e), b = ends(1, e);
         val row = val::object();
         row.set("vertexA", a);
         row.set("vertexB", b);
         row.set("length", (equalizer.positions().col(a) - equalizer.positions().col(b)).norm());
-        list.call<void>("push", row);
-    }
-    return list;
+        return row;
+    });
 }
 
 val solve(Equalizer& equalizer, int iterations, double milliseconds) {
     const EqualizeReport report = equalizer.solve({iterations, milliseconds});
     val object = val::object();
     object.set("status", std::string(to_string(report.status)));
-    object.set("method", report.method);
+    object.set("method", std::string(to_string(report.way)));
     object.set("length", report.length);
     object.set("fittingLength", report.fitting_length);
     object.set("maxDeviation", report.max_deviation);

@@ -2,13 +2,13 @@
 // a number that is no integer becomes one and a missing coordinate becomes 0.
 
 /**
- * @import { Axes, Ball, Budget, ChangedMesh, Chebnet, Defect, DrapeArms, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, ExactChange, Handle, LengthAdapter, Locality, Mesh, Point, RemeshOptions, RemeshPhase, RestLengths, SolveReport, Surface, TraceRow } from './chebnet'
- * @import { Core, CoreDrapeOptions, CoreEqualizer, CoreExactChange, CoreHandles, CoreLengthAdapter, CoreLocality, CoreSurface, Session } from '../build/wasm/chebnet_core.js'
+ * @import { Axes, Ball, Budget, ChangedMesh, Chebnet, Defect, DrapeArms, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, ExactChange, Handle, LengthAdapter, Locality, Mesh, Point, RemeshOptions, RemeshPhase, RestLengths, SolveReport, Surface, TraceRow, WishedSingular } from './chebnet'
+ * @import { Core, CoreDrapeOptions, CoreEqualizer, CoreExactChange, CoreHandles, CoreLengthAdapter, CoreLocality, CoreRemeshOptions, CoreState, CoreSurface, Session } from '../build/wasm/chebnet_core.js'
  */
 
 const LARGEST_INT = 2 ** 31 - 1;
-/** Of coordinates: k_largest_size of core/net/net.h. */
-const FARTHEST = 1e150;
+/** In radians: k_usual_shear_limit of core/base/angle.h. */
+const SHEAR_LIMIT = Math.PI / 6;
 /** @satisfies {readonly (keyof TraceRow)[]} */
 const TRACE_COLUMNS = /** @type {const} */ ([
   'iteration',
@@ -75,12 +75,12 @@ function point(value, vertex) {
   return triple(value, `the target of vertex ${vertex}`);
 }
 
-/** Where a handle is moved to; one that is read with a net may be anywhere, as it always could. @param {unknown} value @param {number} vertex @returns {Point} */
-function target(value, vertex) {
+/** Where a handle is moved to; one that is read with a net may be anywhere, as it always could. @param {Core} core @param {unknown} value @param {number} vertex @returns {Point} */
+function target({ largestSize }, value, vertex) {
   const place = point(value, vertex);
-  const isTooFar = (/** @type {number} */ each) => Number.isFinite(each) && Math.abs(each) > FARTHEST;
+  const isTooFar = (/** @type {number} */ each) => Number.isFinite(each) && Math.abs(each) > largestSize;
   if (place.some(isTooFar)) {
-    throw failure('bad_scale', `the target of vertex ${vertex} is beyond ${FARTHEST}, farther away than any net can be`);
+    throw failure('bad_scale', `the target of vertex ${vertex} is beyond ${largestSize}, farther away than any net can be`);
   }
   return place;
 }
@@ -152,9 +152,9 @@ function option(name, value) {
   return [name, String(value)];
 }
 
-/** @param {Core} core */
+/** Of the two modules one cannot do all. @param {Core} core */
 function wholeCore(core) {
-  if (!('forces' in core)) throw failure('left_out', 'chebnet_core can do this, chebnet_editor cannot');
+  if (!('openSurface' in core)) throw failure('left_out', 'chebnet_core can do this, chebnet_editor cannot');
   return core;
 }
 
@@ -211,18 +211,42 @@ function defects(value) {
   return value.map((defect) => text(defect, 'a defect', 'bad_option'));
 }
 
-/** @implements {Editor} */
-class WasmEditor {
-  /** @type {Session | null} */
-  #session;
+/**
+ * Holds what is on the other side until it is disposed.
+ * @template {{ delete(): void }} T
+ */
+class Owner {
+  /** @type {T | null} */
+  #owned;
+  #what;
 
+  /** @param {T} owned @param {string} what it is, for messages */
+  constructor(owned, what) {
+    this.#owned = owned;
+    this.#what = what;
+  }
+
+  /** @protected */
+  get open() {
+    if (this.#owned === null) throw failure('disposed', `this ${this.#what} was disposed and cannot be used any more`);
+    return this.#owned;
+  }
+
+  dispose() {
+    this.#owned?.delete();
+    this.#owned = null;
+  }
+}
+
+/** @implements {Editor} @extends {Owner<Session>} */
+class WasmEditor extends Owner {
   /** @type {Core} */
   #core;
 
   /** @param {Core} core @param {Session} session */
   constructor(core, session) {
+    super(session, 'editor');
     this.#core = core;
-    this.#session = session;
     this.info = session.info();
     this.edges = session.edges();
     this.faceStart = session.faceStart();
@@ -232,58 +256,53 @@ class WasmEditor {
     this.suggestedHandles = session.suggestedHandles();
   }
 
-  get #open() {
-    if (this.#session === null) throw failure('disposed', 'this editor was disposed and cannot be used any more');
-    return this.#session;
-  }
-
   netLines() {
-    return this.#open.netLines();
+    return this.open.netLines();
   }
 
   rods() {
-    return this.#open.rods();
+    return this.open.rods();
   }
 
   boundaryLoops() {
-    return this.#open.boundaryLoops();
+    return this.open.boundaryLoops();
   }
 
   flatPattern() {
-    return this.#open.flatPattern();
+    return this.open.flatPattern();
   }
 
   get method() {
-    return this.#open.method();
+    return this.open.method();
   }
 
   /** @param {string} name */
   setMethod(name) {
-    this.#change({ method: name });
+    this.changeState({ method: name });
   }
 
   get initialisation() {
-    return this.#open.initialisation();
+    return this.open.initialisation();
   }
 
   /** @param {string} initialisation */
   setInitialisation(initialisation) {
-    this.#change({ initialisation });
+    this.changeState({ initialisation });
   }
 
   options() {
-    const rows = this.#open.options();
+    const rows = this.open.options();
     return Object.fromEntries(rows.map(({ name, kind, value }) => [name, kind === 'flag' ? value !== 0 : value]));
   }
 
   /** @param {string} name @param {number | boolean} value */
   setOption(name, value) {
-    this.#change({ options: { ...this.options(), [name]: value } });
+    this.changeState({ options: { ...this.options(), [name]: value } });
   }
 
   /** @returns {EditState} */
   state() {
-    const locality = this.#open.locality();
+    const locality = this.open.locality();
     return {
       handles: this.handles(),
       method: this.method,
@@ -296,28 +315,33 @@ class WasmEditor {
 
   /** @param {EditState} state */
   setState(state) {
+    this.open.setState(...this.#flatState(state));
+  }
+
+  /** @param {Partial<EditState>} change */
+  changeState(change) {
+    this.open.changeState(...this.#flatState({ ...this.state(), ...change }));
+  }
+
+  /** @param {EditState} state @returns {CoreState} */
+  #flatState(state) {
     const { handles, method, initialisation, options, locality, positions } = record(state, 'the state of an edit');
     const numbers = this.restPositions.length;
-    this.#open.setState(
+    return [
       text(method, 'the name of a method', 'bad_option'),
       text(initialisation, 'an initialisation', 'bad_option'),
       Object.entries(record(options, 'the options of an edit')).flatMap(([name, value]) => option(name, value)),
       flatHandles(handles),
       locality ? flatLocality(locality, numbers) : null,
       allPositions(positions, numbers),
-    );
-  }
-
-  /** @param {Partial<EditState>} change */
-  #change(change) {
-    this.setState({ ...this.state(), ...change });
+    ];
   }
 
   handles() {
-    const vertices = this.#open.handleVertices();
-    const targets = this.#open.handleTargets();
-    const weights = this.#open.handleWeights();
-    const slides = this.#open.handleSlides();
+    const vertices = this.open.handleVertices();
+    const targets = this.open.handleTargets();
+    const weights = this.open.handleWeights();
+    const slides = this.open.handleSlides();
     return Array.from(vertices, (vertex, i) => {
       const axes = AXES[slides[i] ?? 0];
       return {
@@ -331,21 +355,21 @@ class WasmEditor {
 
   /** @param {readonly Handle[]} handles */
   setHandles(handles) {
-    this.#change({ handles, locality: null });
+    this.changeState({ handles, locality: null });
   }
 
   /** @param {number} radius @param {readonly number[]} origins */
   setLocality(radius, origins) {
-    this.#change({ locality: { radius, origins } });
+    this.changeState({ locality: { radius, origins } });
   }
 
   flipped() {
-    return this.#open.flipped();
+    return this.open.flipped();
   }
 
   /** @param {number} vertex @returns {Ball[]} */
   reach(vertex) {
-    const flat = this.#open.reach(vertexNumber(vertex));
+    const flat = this.open.reach(vertexNumber(vertex));
     return Array.from({ length: flat.length / 5 }, (_, i) => ({
       vertex: flat[5 * i] ?? 0,
       centre: point(Array.from(flat.subarray(5 * i + 1, 5 * i + 4)), vertex),
@@ -355,31 +379,31 @@ class WasmEditor {
 
   /** @param {number} radius @param {readonly number[]} origins */
   mobility(radius, origins) {
-    return this.#open.mobility(size(radius, 'a locality'), numbersOf(origins, 'the origins of a locality'));
+    return this.open.mobility(size(radius, 'a locality'), numbersOf(origins, 'the origins of a locality'));
   }
 
   /** @param {number} vertex @param {readonly [number, number, number]} place */
   moveHandle(vertex, place) {
-    this.#open.moveHandle(vertexNumber(vertex), ...target(place, vertex));
+    this.open.moveHandle(vertexNumber(vertex), ...target(this.#core, place, vertex));
   }
 
   /** @param {number} vertex @param {readonly [number, number, number]} place @param {Axes} [along] */
   dragHandle(vertex, place, along) {
-    this.#open.dragHandle(vertexNumber(vertex), ...target(place, vertex), axesNumber(along));
+    this.open.dragHandle(vertexNumber(vertex), ...target(this.#core, place, vertex), axesNumber(along));
   }
 
   releaseHandles() {
-    this.#open.releaseHandles();
+    this.open.releaseHandles();
   }
 
   /** @param {readonly Handle[]} [wanted] @returns {LengthAdapter} */
   lengthAdapter(wanted = []) {
     const { vertices, targets } = flatHandles(wanted);
-    return new WasmLengthAdapter(wholeCore(this.#core).lengthAdapter(this.#open, vertices, targets), () => this.#open);
+    return new WasmLengthAdapter(wholeCore(this.#core).lengthAdapter(this.open, vertices, targets), () => this.open);
   }
 
   forces() {
-    const forces = wholeCore(this.#core).forces(this.#open);
+    const forces = wholeCore(this.#core).forces(this.open);
     if (forces === null) return null;
     const handles = Array.from({ length: forces.handles.length / 3 }, (_, i) =>
       triple(Array.from(forces.handles.subarray(3 * i, 3 * i + 3)), 'a force'),
@@ -388,170 +412,127 @@ class WasmEditor {
   }
 
   get holdsBack() {
-    return this.#open.holdsBack();
+    return this.open.holdsBack();
   }
 
   /** @param {Budget} [budget] @returns {SolveReport} */
   solve(budget = {}) {
-    const report = this.#open.solve(...limits(budget));
+    const report = this.open.solve(...limits(budget));
     return { ...report, trace: traceRows(report.trace) };
   }
 
   reset() {
-    this.#open.reset();
+    this.open.reset();
   }
 
   /** @param {Surface | null} surface */
   setGuide(surface) {
-    if (surface === null) return this.#core.unguide?.(this.#open);
-    this.#core.guide(this.#open, coreGuide(surface));
+    if (surface === null) return this.#core.unguide?.(this.open);
+    wholeCore(this.#core).guide(this.open, coreGuide(surface));
   }
 
   positions() {
-    return this.#open.positions();
+    return this.open.positions();
   }
 
   /** @param {Float64Array} positions */
   setPositions(positions) {
-    this.#change({ positions, locality: null });
+    this.changeState({ positions, locality: null });
   }
 
   fields() {
-    return this.#open.fields();
+    return this.open.fields();
   }
 
   bend() {
-    return this.#open.bend();
+    return this.open.bend();
   }
 
   smallestAngle() {
-    return this.#open.smallestAngle();
+    return this.open.smallestAngle();
   }
 
   handleError() {
-    return this.#open.handleError();
+    return this.open.handleError();
   }
 
   unreachablePairs() {
-    return this.#open.unreachablePairs();
+    return this.open.unreachablePairs();
   }
 
   toObj(digits = 17) {
-    return this.#open.toObj(integer(digits, 'the number of digits', 1, 17));
+    return this.open.toObj(integer(digits, 'the number of digits', 1, 17));
   }
 
   edgeTable() {
-    return this.#open.edgeTable();
+    return this.open.edgeTable();
   }
 
   rodTable() {
-    return this.#open.rodTable();
+    return this.open.rodTable();
   }
 
   /** @param {string} format */
   toFile(format) {
-    return this.#open.toFile(text(format, 'a format', 'bad_option'));
-  }
-
-  dispose() {
-    this.#session?.delete();
-    this.#session = null;
+    return this.open.toFile(text(format, 'a format', 'bad_option'));
   }
 }
 
-/** @implements {LengthAdapter} */
-class WasmLengthAdapter {
-  /** @type {CoreLengthAdapter | null} */
-  #adapter;
+/** @implements {LengthAdapter} @extends {Owner<CoreLengthAdapter>} */
+class WasmLengthAdapter extends Owner {
   #session;
 
   /** @param {CoreLengthAdapter} adapter @param {() => Session} session that of the editor it was made by */
   constructor(adapter, session) {
-    this.#adapter = adapter;
+    super(adapter, 'adapter');
     this.#session = session;
-  }
-
-  get #open() {
-    if (this.#adapter === null) throw failure('disposed', 'this adapter was disposed and cannot be used any more');
-    return this.#adapter;
   }
 
   /** @param {Budget} [budget] */
   solve(budget = {}) {
-    return this.#open.solve(...limits(budget));
+    return this.open.solve(...limits(budget));
   }
 
   accept() {
-    this.#open.accept(this.#session());
-  }
-
-  dispose() {
-    this.#adapter?.delete();
-    this.#adapter = null;
+    this.open.accept(this.#session());
   }
 }
 
-/** @implements {Equalizer} */
-class WasmEqualizer {
-  /** @type {CoreEqualizer | null} */
-  #equalizer;
-
+/** @implements {Equalizer} @extends {Owner<CoreEqualizer>} */
+class WasmEqualizer extends Owner {
   /** @param {CoreEqualizer} equalizer */
   constructor(equalizer) {
-    this.#equalizer = equalizer;
-  }
-
-  get #open() {
-    if (this.#equalizer === null) throw failure('disposed', 'this equalizer was disposed and cannot be used any more');
-    return this.#equalizer;
+    super(equalizer, 'equalizer');
   }
 
   /** @param {Budget} [budget] @returns {EqualizeReport} */
   solve(budget = {}) {
-    return this.#open.solve(...limits(budget));
+    return this.open.solve(...limits(budget));
   }
 
   positions() {
-    return this.#open.positions();
+    return this.open.positions();
   }
 
   surfacePositions() {
-    return this.#open.surfacePositions();
-  }
-
-  dispose() {
-    this.#equalizer?.delete();
-    this.#equalizer = null;
+    return this.open.surfacePositions();
   }
 }
 
-/** @implements {ExactChange} */
-class WasmExactChange {
-  /** @type {CoreExactChange | null} */
-  #exact;
-
+/** @implements {ExactChange} @extends {Owner<CoreExactChange>} */
+class WasmExactChange extends Owner {
   /** @param {CoreExactChange} exact */
   constructor(exact) {
-    this.#exact = exact;
-  }
-
-  get #open() {
-    if (this.#exact === null) throw failure('disposed', 'this change was disposed and cannot be used any more');
-    return this.#exact;
+    super(exact, 'change');
   }
 
   /** @param {Budget} [budget] */
   solve(budget = {}) {
-    return this.#open.solve(...limits(budget));
+    return this.open.solve(...limits(budget));
   }
 
   positions() {
-    return this.#open.positions();
-  }
-
-  dispose() {
-    this.#exact?.delete();
-    this.#exact = null;
+    return this.open.positions();
   }
 }
 
@@ -563,7 +544,7 @@ function numbersOf(numbers, what) {
 
 /** @param {Core} core @param {Mesh} original @param {EqualizeOptions} options */
 function newEqualizer(core, original, options) {
-  const { length = 'mean', handles = [], method, shearLimit = Math.PI / 6, guide } = record(options, 'options of equalising');
+  const { length = 'mean', handles = [], method, shearLimit = SHEAR_LIMIT, guide } = record(options, 'options of equalising');
   const vertices = numbersOf(handles, 'handles');
   const [choice, number] = typeof length === 'number' ? ['given', length] : [text(length, 'a length', 'bad_option'), 0];
   return new WasmEqualizer(
@@ -592,7 +573,7 @@ function changedMesh(changed) {
 
 /** @param {DrapeOptions} options @returns {CoreDrapeOptions} */
 function allDrapeOptions(options) {
-  const { seed, direction, length, angle = Math.PI / 2, smallestAngle = Math.PI / 6 } = record(options, 'options of draping');
+  const { seed, direction, length, angle = Math.PI / 2, smallestAngle = SHEAR_LIMIT } = record(options, 'options of draping');
   const { reach, border, arms, along = [], leave = 0 } = options;
   return {
     seed: triple(seed, 'the seed'),
@@ -601,7 +582,7 @@ function allDrapeOptions(options) {
     angle: size(angle, 'the angle at the seed'),
     smallestAngle: size(smallestAngle, 'the shear limit'),
     reach: integer(reach ?? LARGEST_INT, 'the reach', 1, LARGEST_INT),
-    border: /** @type {'inside' | 'beyond' | 'cut'} */ (text(border ?? 'beyond', 'what happens at the border', 'bad_option')),
+    border: /** @type {CoreDrapeOptions['border']} */ (text(border ?? 'beyond', 'what happens at the border', 'bad_option')),
     arms: /** @type {DrapeArms} */ (text(arms ?? 'geodesic', 'the way of the arms', 'bad_option')),
     along: curvePoints(along, 'the curve'),
     leave: size(leave, 'how far the net may leave the surface'),
@@ -619,9 +600,9 @@ function curvePoints(points, what) {
   return Float64Array.from(list(points, what).flatMap((point) => finite(point, `a point of ${what}`)));
 }
 
-/** @param {RemeshOptions} options */
+/** @param {RemeshOptions} options @returns {CoreRemeshOptions} */
 function allRemeshOptions(options) {
-  const { cells = 4000, length = 0, smallestAngle = Math.PI / 6, smoothing = 1, fewest = false } = record(options, 'options of a net over a surface');
+  const { cells = 4000, length = 0, smallestAngle = SHEAR_LIMIT, smoothing = 1, fewest = false } = record(options, 'options of a net over a surface');
   const { crease = 0, markedCreases = [], border = 'fitting', singular = [], forbidden = [], only = false } = options;
   return {
     cells: integer(cells, 'a number of cells', 1, LARGEST_INT),
@@ -631,10 +612,10 @@ function allRemeshOptions(options) {
     fewest: fewest === true,
     crease: size(crease, 'the angle of creases'),
     markedCreases: list(markedCreases, 'marked creases').map((points) => curvePoints(points, 'a marked crease')),
-    border: /** @type {'fitting' | 'always' | 'across' | 'never'} */ (text(border, 'what happens at the border', 'bad_option')),
+    border: /** @type {CoreRemeshOptions['border']} */ (text(border, 'what happens at the border', 'bad_option')),
     singular: list(singular, 'singular vertices').map((each) => ({
       point: finite(record(each, 'a singular vertex').point, 'the place of a singular vertex'),
-      valence: /** @type {3 | 5 | 6} */ (integer(each.valence, 'the valence of a singular vertex', 3, LARGEST_INT)),
+      valence: /** @type {WishedSingular['valence']} */ (integer(each.valence, 'the valence of a singular vertex', 3, LARGEST_INT)),
     })),
     forbidden: list(forbidden, 'forbidden regions').map((each) => ({
       centre: finite(record(each, 'a forbidden region').centre, 'the centre of a forbidden region'),
@@ -644,101 +625,89 @@ function allRemeshOptions(options) {
   };
 }
 
-/** @implements {Surface} */
-class WasmSurface {
-  /** @type {CoreSurface | null} */
-  #surface;
-
+/** @implements {Surface} @extends {Owner<CoreSurface>} */
+class WasmSurface extends Owner {
   /** @param {CoreSurface} surface */
   constructor(surface) {
-    this.#surface = surface;
+    super(surface, 'surface');
     this.positions = surface.positions();
     this.normals = surface.normals();
     this.triangles = surface.triangles();
   }
 
+  /** For editors and equalizers. */
   get core() {
-    return this.#open;
-  }
-
-  get #open() {
-    if (this.#surface === null) throw failure('disposed', 'this surface was disposed and cannot be used any more');
-    return this.#surface;
+    return this.open;
   }
 
   describe() {
-    return this.#open.describe();
+    return this.open.describe();
   }
 
   /** @param {Readonly<Point>} near */
   nearest(near) {
-    return this.#open.nearest(...finite(near, 'a point'));
+    return this.open.nearest(...finite(near, 'a point'));
   }
 
   /** @param {Readonly<Point>} origin @param {Readonly<Point>} direction */
   hit(origin, direction) {
-    return this.#open.hit(Float64Array.of(...finite(origin, 'an origin'), ...finite(direction, 'a direction')));
+    return this.open.hit(Float64Array.of(...finite(origin, 'an origin'), ...finite(direction, 'a direction')));
   }
 
   /** @param {number} cells */
   suggest(cells) {
-    return this.#open.suggest(integer(cells, 'a number of cells', 1, LARGEST_INT));
+    return this.open.suggest(integer(cells, 'a number of cells', 1, LARGEST_INT));
   }
 
   /** @param {Omit<DrapeOptions, 'seed' | 'direction'> & Partial<Pick<DrapeOptions, 'direction'>>} options */
   propose(options) {
     const { direction } = options;
     const all = allDrapeOptions({ ...options, seed: [0, 0, 0], direction: direction ?? [1, 0, 0] });
-    return direction === undefined ? this.#open.propose(all) : this.#open.proposeSeeds(all);
+    return direction === undefined ? this.open.propose(all) : this.open.proposeSeeds(all);
   }
 
   /** @param {DrapeOptions} options */
   drape(options) {
-    return this.#open.drape(allDrapeOptions(options));
+    return this.open.drape(allDrapeOptions(options));
   }
 
   /** @param {readonly (readonly Readonly<Point>[])[]} cuts */
   cut(cuts) {
-    return new WasmSurface(this.#open.cut(list(cuts, 'cuts').map((points) => curvePoints(points, 'a cut'))));
+    return new WasmSurface(this.open.cut(list(cuts, 'cuts').map((points) => curvePoints(points, 'a cut'))));
   }
 
   /** @param {readonly Readonly<Point>[]} points */
   cutPath(points) {
-    return this.#open.cutPath(curvePoints(points, 'a cut'));
+    return this.open.cutPath(curvePoints(points, 'a cut'));
   }
 
   /** @param {Readonly<Point> | null} from */
   shortestCut(from) {
-    return this.#open.shortestCut(from === null ? null : finite(from, 'the beginning of a cut'));
+    return this.open.shortestCut(from === null ? null : finite(from, 'the beginning of a cut'));
   }
 
   /** @param {DrapeOptions} options */
   drapePieces(options) {
-    return this.#open.drapePieces(allDrapeOptions(options));
+    return this.open.drapePieces(allDrapeOptions(options));
   }
 
   /** @param {DrapeOptions} options @param {number} most */
   proposeCuts(options, most) {
-    return this.#open.proposeCuts(allDrapeOptions(options), integer(most, 'a number of cuts', 1, 100));
+    return this.open.proposeCuts(allDrapeOptions(options), integer(most, 'a number of cuts', 1, 100));
   }
 
   /** @param {RemeshOptions} [options] @param {(phase: RemeshPhase, done: number) => void} [progress] */
   remesh(options = {}, progress = () => {}) {
     if (typeof progress !== 'function') throw failure('bad_option', `progress must be a function, not ${shown(progress)}`);
-    return this.#open.remesh(allRemeshOptions(options), progress);
+    return this.open.remesh(allRemeshOptions(options), progress);
   }
 
   /** @param {Mesh} net @param {number} [length] */
   measure(net, length) {
-    if (length === undefined) return this.#open.measure(mesh(net), 0);
+    if (length === undefined) return this.open.measure(mesh(net), 0);
     const what = 'the length of whole edges';
     if (!(size(length, what) > 0)) throw failure('bad_option', `${what} must be a number above 0, not ${shown(length)}`);
-    return this.#open.measure(mesh(net), length);
-  }
-
-  dispose() {
-    this.#surface?.delete();
-    this.#surface = null;
+    return this.open.measure(mesh(net), length);
   }
 }
 
@@ -746,12 +715,6 @@ class WasmSurface {
 function coreGuide(surface) {
   if (surface instanceof WasmSurface) return surface.core;
   throw failure('bad_option', `a guide must be a surface or null, not ${shown(surface)}`);
-}
-
-/** Of the two modules one has none. @param {Core} core @returns {Core} */
-function withSurfaces(core) {
-  if (!('openSurface' in core)) throw failure('left_out', 'chebnet_core has surfaces, chebnet_editor has none');
-  return core;
 }
 
 /** @param {Core} core @returns {Chebnet} */
@@ -788,7 +751,7 @@ function facade(core) {
       );
     },
     exactChange: (changed, options) => {
-      const { length, held = [], shearLimit = Math.PI / 6 } = record(options, 'options of an exact change');
+      const { length, held = [], shearLimit = SHEAR_LIMIT } = record(options, 'options of an exact change');
       return new WasmExactChange(
         core.exactChange(changedMesh(changed), {
           length: length === null ? null : size(length, 'the length of edges'),
@@ -798,9 +761,9 @@ function facade(core) {
       );
     },
     equalizer: (original, options = {}) => newEqualizer(core, original, options),
-    openSurface: (given) => new WasmSurface(withSurfaces(core).openSurface(mesh(given))),
-    ownSurfaces: () => withSurfaces(core).ownSurfaces(),
-    ownSurface: (name) => new WasmSurface(withSurfaces(core).ownSurface(text(name, 'the name of a surface', 'bad_option'))),
+    openSurface: (given) => new WasmSurface(wholeCore(core).openSurface(mesh(given))),
+    ownSurfaces: () => wholeCore(core).ownSurfaces(),
+    ownSurface: (name) => new WasmSurface(wholeCore(core).ownSurface(text(name, 'the name of a surface', 'bad_option'))),
   };
 }
 

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/text.h"
 #include "fabricate/flat_pattern.h"
 #include "io/mesh_file.h"
 #include "mesh_border.h"
@@ -12,28 +13,29 @@
 namespace chebnet {
 namespace {
 
-Defect defect_named(std::string_view name) {
-    Names<Defect> names;
-    for (const Defect defect : k_all_defects) names.emplace_back(to_string(defect), defect);
-    return named(names, name, "defect");
+Defect defect_named(const std::string& name) {
+    for (const Defect defect : k_all_defects)
+        if (name == to_string(defect)) return defect;
+    throw Error(ErrorCode::bad_option, "no defect is called " + quoted(name));
 }
 
 // ------------------------------------------------------------------------------------------------------------ meshes
 
 val finding_out(const Finding& finding) {
-    val examples = val::array();
-    for (const int example : finding.examples) examples.call<void>("push", example);
     val object = val::object();
     object.set("defect", std::string(to_string(finding.defect)));
     object.set("repaired", finding.repaired);
     object.set("count", finding.count);
-    object.set("examples", examples);
+    object.set("examples", list_out(finding.examples));
     object.set("sentence", to_sentence(finding));
     return object;
 }
 
 /// `bytes`: a Uint8Array, which embind copies into the string as it is.
-val read_mesh_file(std::string bytes, std::string name) { return mesh_out(read_mesh(bytes, name)); }
+val read_mesh_file(std::string bytes, std::string name) {
+    const Mesh mesh = read_mesh(bytes, name);
+    return mesh_out(mesh.positions, mesh.faces);
+}
 
 /// `defects`: an array of their names.
 val repair_mesh(val mesh, val defects, double merge_tolerance) {
@@ -41,19 +43,15 @@ val repair_mesh(val mesh, val defects, double merge_tolerance) {
     for (const std::string& name : emscripten::vecFromJSArray<std::string>(defects))
         chosen.push_back(defect_named(name));
     const RepairedMesh repaired = repair(mesh_in(mesh), chosen, merge_tolerance);
-    val findings = val::array();
-    for (const Finding& finding : repaired.findings) findings.call<void>("push", finding_out(finding));
     val object = val::object();
-    object.set("mesh", mesh_out(repaired.mesh));
+    object.set("mesh", mesh_out(repaired.mesh.positions, repaired.mesh.faces));
     object.set("newVertex", copy_out(repaired.new_vertex));
-    object.set("findings", findings);
+    object.set("findings", list_out(repaired.findings, finding_out));
     return object;
 }
 
 val defects() {
-    val names = val::array();
-    for (const Defect defect : k_all_defects) names.call<void>("push", std::string(to_string(defect)));
-    return names;
+    return list_out(k_all_defects, [](Defect defect) { return std::string(to_string(defect)); });
 }
 
 val fault_out(const PatternFault& fault, const Topology& topology) {
@@ -66,6 +64,15 @@ val fault_out(const PatternFault& fault, const Topology& topology) {
     return object;
 }
 
+val piece_out(const PatternPiece& piece) {
+    val box = val::object();
+    box.set("column", piece.column);
+    box.set("row", piece.row);
+    box.set("columns", piece.columns);
+    box.set("rows", piece.rows);
+    return box;
+}
+
 }  // namespace
 
 val flat_pattern_out(const Net& net, const Topology& topology) {
@@ -76,16 +83,7 @@ val flat_pattern_out(const Net& net, const Topology& topology) {
     object.set("places", copy_out(pattern.places));
     object.set("columns", pattern.columns);
     object.set("rows", pattern.rows);
-    val pieces = val::array();
-    for (const PatternPiece& piece : pattern.pieces) {
-        val box = val::object();
-        box.set("column", piece.column);
-        box.set("row", piece.row);
-        box.set("columns", piece.columns);
-        box.set("rows", piece.rows);
-        pieces.call<void>("push", box);
-    }
-    object.set("pieces", pieces);
+    object.set("pieces", list_out(pattern.pieces, piece_out));
     return object;
 }
 

@@ -10,15 +10,14 @@ namespace chebnet {
 namespace {
 
 val corners_out(const std::vector<CornerForce>& corners) {
-    val list = val::array();
-    for (const auto& [a, b, push] : corners) {
+    return list_out(corners, [](const CornerForce& force) {
+        const auto& [a, b, push] = force;
         val corner = val::object();
         corner.set("vertexA", a);
         corner.set("vertexB", b);
         corner.set("push", push);
-        list.call<void>("push", corner);
-    }
-    return list;
+        return corner;
+    });
 }
 
 val energies_out(const std::vector<TermEnergy>& energies) {

@@ -58,7 +58,7 @@ std::optional<std::vector<int>> edge_families(const Net&) { leave_to_the_whole_c
 void BendingTerm::bend_rest_lines(const Net&, const Positions&, double) { leave_to_the_whole_core(); }
 /// The whole core begins the solve again.
 bool Editor::take_in_hand() {
-    m_positions = m_net_before;
+    m_positions = m_run.net_before;
     m_running = false;
     leave_to_the_whole_core();
 }

@@ -14,25 +14,23 @@ Mesh mesh_in(const val& object) {
     return mesh;
 }
 
-val mesh_out(const Mesh& mesh) {
+val mesh_out(const Positions& positions, const Faces& faces) {
     val object = val::object();
-    object.set("positions", copy_out(mesh.positions));
-    object.set("faceStart", copy_out(mesh.faces.start));
-    object.set("faceVertices", copy_out(mesh.faces.vertices));
+    object.set("positions", copy_out(positions));
+    object.set("faceStart", copy_out(faces.start));
+    object.set("faceVertices", copy_out(faces.vertices));
     return object;
 }
 
 val pairs_out(const std::vector<UnreachablePair>& pairs) {
-    val rows = val::array();
-    for (const UnreachablePair& pair : pairs) {
+    return list_out(pairs, [](const UnreachablePair& pair) {
         val row = val::object();
         row.set("vertexA", pair.vertex_a);
         row.set("vertexB", pair.vertex_b);
         row.set("distance", pair.distance);
         row.set("reach", pair.reach);
-        rows.call<void>("push", row);
-    }
-    return rows;
+        return row;
+    });
 }
 
 val lists_out(const std::vector<std::vector<int>>& lists) {
@@ -42,12 +40,6 @@ val lists_out(const std::vector<std::vector<int>>& lists) {
     object.set("start", copy_out(flat.start));
     object.set("vertices", copy_out(flat.vertices));
     return object;
-}
-
-RestLengths rest_lengths_named(std::string_view name) {
-    static const Names<RestLengths> names = {
-        {"automatic", RestLengths::automatic}, {"equal", RestLengths::equal}, {"own", RestLengths::own}};
-    return named(names, name, "choice of rest lengths");
 }
 
 }  // namespace chebnet

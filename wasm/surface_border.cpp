@@ -1,24 +1,24 @@
 // Surfaces and the nets made on them, seen from JavaScript.
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "drape/bridged_drape.h"
 #include "drape/cut_proposals.h"
 #include "drape/drape.h"
 #include "drape/drape_pieces.h"
 #include "drape/proposals.h"
+#include "drape/surface_report.h"
 #include "mesh_border.h"
 #include "net/topology.h"
 #include "open_surface.h"
 #include "remesh/remesh.h"
 #include "session.h"
-#include "surface/curvature.h"
 #include "surface/gallery.h"
 #include "surface/shortest_cut.h"
 #include "surface/surface_cut.h"
@@ -30,15 +30,13 @@ OpenSurface* open_surface(val mesh) { return new OpenSurface(Surface(mesh_in(mes
 OpenSurface* own_surface(std::string name) { return new OpenSurface(make_own_surface(name)); }
 
 val own_surface_table() {
-    val list = val::array();
-    for (const OwnSurface& surface : own_surfaces()) {
+    return list_out(own_surfaces(), [](const OwnSurface& surface) {
         val row = val::object();
         row.set("name", std::string(surface.name));
         row.set("title", std::string(surface.title));
         row.set("sentence", std::string(surface.sentence));
-        list.call<void>("push", row);
-    }
-    return list;
+        return row;
+    });
 }
 
 val positions(const OpenSurface& open) { return copy_out(open.surface.positions()); }
@@ -56,7 +54,7 @@ val curvature_out(const TotalCurvature& curvature) {
 }
 
 val describe_surface(const OpenSurface& open) {
-    const SurfaceReport report = describe(open.surface);
+    const SurfaceReport report = describe(open.guide);
     val object = val::object();
     object.set("vertices", report.vertices);
     object.set("triangles", report.triangles);
@@ -68,16 +66,13 @@ val describe_surface(const OpenSurface& open) {
     object.set("curvature", curvature_out(report.curvature));
     object.set("smoothedCurvature", curvature_out(report.smoothed_curvature));
     object.set("hardestCurvature", report.hardest_curvature);
+    object.set("triedCoverage", report.tried_coverage);
     object.set("prospect", std::string(to_string(report.prospect)));
     object.set("sentence", report.sentence);
     return object;
 }
 
-val vector_out(const Eigen::Vector3d& vector) {
-    val list = val::array();
-    for (const double coordinate : vector) list.call<void>("push", coordinate);
-    return list;
-}
+val vector_out(const Eigen::Vector3d& vector) { return list_out(vector); }
 
 val place_out(const OpenSurface& open, const Eigen::Vector3d& position, const SurfacePoint& at) {
     val object = val::object();
@@ -113,15 +108,6 @@ Eigen::Vector3d vector_in(const val& list) {
     return {list[0].as<double>(), list[1].as<double>(), list[2].as<double>()};
 }
 
-const Names<DrapeOptions::Arms> k_arms = {{"geodesic", DrapeOptions::Arms::geodesic},
-                                          {"least_shear", DrapeOptions::Arms::least_shear},
-                                          {"curve", DrapeOptions::Arms::curve}};
-
-val arms_out(DrapeOptions::Arms arms) {
-    const auto row = std::find_if(k_arms.begin(), k_arms.end(), [&](const auto& each) { return each.second == arms; });
-    return val(std::string(row->first));
-}
-
 /// `points`: a Float64Array.
 Positions points_in(const val& points) {
     const auto numbers = emscripten::convertJSArrayToNumberVector<double>(points);
@@ -136,71 +122,67 @@ DrapeOptions options_in(const val& object) {
     options.angle = object["angle"].as<double>();
     options.smallest_angle = object["smallestAngle"].as<double>();
     options.reach = object["reach"].as<int>();
-    options.border = named<DrapeOptions::Border>({{"inside", DrapeOptions::Border::inside},
-                                                  {"beyond", DrapeOptions::Border::beyond},
-                                                  {"cut", DrapeOptions::Border::cut}},
-                                                 object["border"].as<std::string>(), "border");
-    options.arms = named<DrapeOptions::Arms>(k_arms, object["arms"].as<std::string>(), "way of the arms");
+    options.border = named(k_drape_borders, object["border"].as<std::string>(), "border");
+    options.arms = named(k_drape_arms, object["arms"].as<std::string>(), "way of the arms");
     options.along = points_in(object["along"]);
     return options;
 }
 
 val rows_of(const std::vector<DrapeProposal>& proposals) {
-    val list = val::array();
-    for (const DrapeProposal& proposal : proposals) {
+    return list_out(proposals, [](const DrapeProposal& proposal) {
         val row = val::object();
         row.set("seed", vector_out(proposal.options.seed));
         row.set("direction", vector_out(proposal.options.direction));
         row.set("covered", proposal.covered);
         row.set("muchSheared", proposal.much_sheared);
         row.set("meanDistance", proposal.mean_distance);
-        list.call<void>("push", row);
-    }
-    return list;
+        return row;
+    });
 }
 
 /// `options`: an object with all fields of DrapeOptions, of which seed and direction do not matter.
 val propose(const OpenSurface& open, val options) {
-    return rows_of(propose_drapes(open.surface, open.tree, options_in(options)));
+    const DrapeOptions wanted = options_in(options);
+    const Guide& laid_on = *open.laid_on(wanted.length);
+    return rows_of(propose_drapes(laid_on.surface(), laid_on.tree(), wanted));
 }
 
 /// Likewise, and the direction counts.
 val propose_seeds_on(const OpenSurface& open, val options) {
-    return rows_of(propose_seeds(open.surface, open.tree, options_in(options)));
+    const DrapeOptions wanted = options_in(options);
+    const Guide& laid_on = *open.laid_on(wanted.length);
+    return rows_of(propose_seeds(laid_on.surface(), laid_on.tree(), wanted));
 }
 
-val mesh_of_net(const Net& net) {
-    val mesh = val::object();
-    mesh.set("positions", copy_out(net.rest_positions()));
-    mesh.set("faceStart", copy_out(net.faces().start));
-    mesh.set("faceVertices", copy_out(net.faces().vertices));
-    return mesh;
+/// Of a Drape, or of all DrapedPieces together.
+template <typename Draped>
+val drape_out(const Draped& draped) {
+    val object = val::object();
+    object.set("mesh", mesh_out(draped.net.rest_positions(), draped.net.faces()));
+    object.set("places", copy_out(draped.places));
+    object.set("locked", draped.locked);
+    object.set("met", draped.met);
+    object.set("cutEnds", draped.cut_ends);
+    object.set("arms", std::string(name_of(k_drape_arms, draped.arms)));
+    return object;
 }
 
 /// `options`: an object with all fields of DrapeOptions, and `leave`, 0 or the height for bridged_drape.
 val drape_surface(const OpenSurface& open, val options) {
     const double leave = options["leave"].as<double>();
-    const Drape draped = leave != 0 ? bridged_drape(open.guide, options_in(options), leave)
-                                    : drape(open.surface, open.tree, options_in(options));
-    val object = val::object();
-    object.set("mesh", mesh_of_net(draped.net));
-    object.set("places", copy_out(draped.places));
-    object.set("locked", draped.locked);
-    object.set("met", draped.met);
-    object.set("cutEnds", draped.cut_ends);
-    object.set("arms", arms_out(draped.arms));
-    return object;
+    const DrapeOptions wanted = options_in(options);
+    const std::shared_ptr<const Guide>& laid_on = open.laid_on(wanted.length);
+    return drape_out(leave != 0 ? bridged_drape(laid_on, wanted, leave)
+                                : drape(laid_on->surface(), laid_on->tree(), wanted));
 }
 
 val singular_vertices_out(const Net& net) {
-    val list = val::array();
-    for (const auto& [valence, count] : Topology(net).singular_vertices()) {
+    return list_out(Topology(net).singular_vertices(), [](const std::pair<const int, int>& of_valence) {
         val row = val::object();
-        row.set("valence", valence);
-        row.set("count", count);
-        list.call<void>("push", row);
-    }
-    return list;
+        row.set("valence", of_valence.first);
+        row.set("count", of_valence.second);
+        return row;
+    });
 }
 
 SingularWishes wishes_in(const val& options) {
@@ -214,38 +196,30 @@ SingularWishes wishes_in(const val& options) {
 }
 
 val singular_out(const std::vector<SingularVertex>& vertices) {
-    val list = val::array();
-    for (const SingularVertex& singular : vertices) {
+    return list_out(vertices, [](const SingularVertex& singular) {
         val row = val::object();
         row.set("vertex", singular.vertex);
         row.set("valence", singular.valence);
         row.set("position", vector_out(singular.position));
-        list.call<void>("push", row);
-    }
-    return list;
+        return row;
+    });
 }
 
 val kept_out(const SingularWishes& wishes, const KeptWishes& kept) {
-    val vertices = val::array(), distances = val::array(), intruders = val::array(), sentences = val::array();
-    for (const bool is_kept : kept.vertices) vertices.call<void>("push", is_kept);
-    for (const double distance : kept.distances)
-        distances.call<void>("push", distance < 0 ? val::null() : val(distance));
-    for (const int count : kept.intruders) intruders.call<void>("push", count);
-    for (const std::string& sentence : unkept_wishes(wishes, kept)) sentences.call<void>("push", sentence);
-    val object = val::object();
-    val creases = val::array();
-    for (const double distance : kept.creases) {
+    const auto distance_out = [](double distance) { return distance < 0 ? val::null() : val(distance); };
+    const auto crease_out = [](double distance) {
         val row = val::object();
         row.set("followed", is_followed(distance));
         row.set("distance", distance);
-        creases.call<void>("push", row);
-    }
-    object.set("vertices", vertices);
-    object.set("distances", distances);
-    object.set("intruders", intruders);
+        return row;
+    };
+    val object = val::object();
+    object.set("vertices", list_out(kept.vertices, [](bool is_kept) { return is_kept; }));
+    object.set("distances", list_out(kept.distances, distance_out));
+    object.set("intruders", list_out(kept.intruders));
     object.set("others", kept.others);
-    object.set("markedCreases", creases);
-    object.set("sentences", sentences);
+    object.set("markedCreases", list_out(kept.creases, crease_out));
+    object.set("sentences", list_out(unkept_wishes(wishes, kept)));
     return object;
 }
 
@@ -261,12 +235,7 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
     wanted.crease = options["crease"].as<double>();
     for (const val& points : emscripten::vecFromJSArray<val>(options["markedCreases"]))
         wanted.marked_creases.push_back(points_in(points));
-    wanted.border = named<RemeshOptions::Border>({{"fitting", RemeshOptions::Border::fitting},
-                                                  {"always", RemeshOptions::Border::always},
-                                                  {"outer", RemeshOptions::Border::outer},
-                                                  {"across", RemeshOptions::Border::across},
-                                                  {"never", RemeshOptions::Border::never}},
-                                                 options["border"].as<std::string>(), "border");
+    wanted.border = named(k_remesh_borders, options["border"].as<std::string>(), "border");
     wanted.singular = wishes_in(options);
     const Remesh made = remesh(open.guide, wanted,
                                [&](RemeshPhase phase, double done) { progress(std::string(to_string(phase)), done); });
@@ -274,7 +243,7 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
     for (int phase = 0; phase < k_remesh_phases; ++phase)
         milliseconds.set(to_string(static_cast<RemeshPhase>(phase)), made.milliseconds[phase]);
     val object = val::object();
-    object.set("mesh", mesh_of_net(made.net));
+    object.set("mesh", mesh_out(made.net.rest_positions(), made.net.faces()));
     object.set("singularVertices", singular_vertices_out(made.net));
     object.set("singular", singular_out(made.singular));
     object.set("kept", kept_out(wanted.singular, made.kept));
@@ -300,9 +269,7 @@ OpenSurface* cut_surface(const OpenSurface& open, val cuts) {
 }
 
 val points_out(const Surface& surface, const CutLine& line) {
-    val points = val::array();
-    for (const SurfacePoint& point : line) points.call<void>("push", vector_out(surface.position_at(point)));
-    return points;
+    return list_out(line, [&](const SurfacePoint& point) { return vector_out(surface.position_at(point)); });
 }
 
 /// `from`: null for a cut between borders.
@@ -319,24 +286,7 @@ val drape_all_pieces(const OpenSurface& open, val options) {
     wanted.leave = options["leave"].as<double>();
     wanted.first_seed = true;
     const DrapedPieces made = drape_pieces(open.surface, wanted);
-    int locked = 0, met = 0, cut_ends = 0, first = 0;
-    DrapeOptions::Arms arms = DrapeOptions::Arms::geodesic;
-    Eigen::Matrix2Xi places(2, made.net.vertex_count());
-    for (const DrapedPiece& piece : made.draped) {
-        locked += piece.drape.locked;
-        met += piece.drape.met;
-        cut_ends += piece.drape.cut_ends;
-        if (piece.drape.arms != DrapeOptions::Arms::geodesic) arms = piece.drape.arms;
-        places.middleCols(first, piece.drape.places.cols()) = piece.drape.places;
-        first += static_cast<int>(piece.drape.places.cols());
-    }
-    val object = val::object();
-    object.set("mesh", mesh_of_net(made.net));
-    object.set("places", copy_out(places));
-    object.set("locked", locked);
-    object.set("met", met);
-    object.set("cutEnds", cut_ends);
-    object.set("arms", arms_out(arms));
+    val object = drape_out(made);
     object.set("pieces", static_cast<int>(made.draped.size()));
     object.set("bare", static_cast<int>(made.bare.size()));
     return object;
@@ -345,12 +295,9 @@ val drape_all_pieces(const OpenSurface& open, val options) {
 /// `options`: an object with all fields of DrapeOptions.
 val propose_cuts_on(const OpenSurface& open, val options, int most) {
     const CutProposals proposals = propose_cuts(open.surface, options_in(options), most);
-    val cuts = val::array(), coverage = val::array();
-    for (const CutLine& line : proposals.cuts) cuts.call<void>("push", points_out(open.surface, line));
-    for (const double part : proposals.coverage) coverage.call<void>("push", part);
     val object = val::object();
-    object.set("cuts", cuts);
-    object.set("coverage", coverage);
+    object.set("cuts", list_out(proposals.cuts, [&](const CutLine& line) { return points_out(open.surface, line); }));
+    object.set("coverage", list_out(proposals.coverage));
     return object;
 }
 

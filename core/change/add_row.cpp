@@ -7,7 +7,8 @@
 
 #include "base/error.h"
 #include "base/sets.h"
-#include "change/corner_edges.h"
+#include "change/marked.h"
+#include "net/corner_edges.h"
 
 namespace chebnet {
 

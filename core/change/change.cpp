@@ -13,6 +13,8 @@
 #include "change/inner_row.h"
 #include "change/join.h"
 #include "change/refine.h"
+#include "net/rods.h"
+#include "net/topology.h"
 
 namespace chebnet {
 
@@ -22,7 +24,17 @@ void check(const std::vector<int>& numbers, int count, const char* what) {
     for (const int number : numbers)
         if (number < 0 || number >= count)
             throw Error(ErrorCode::index_out_of_range, "the net has no " + std::string(what) + " " +
-                                                           std::to_string(number) + ", only " + std::to_string(count));
+                                                           std::to_string(number) + ", only 0 to " +
+                                                           std::to_string(count - 1));
+}
+
+/// Rows go across edges of one length, or of lengths of their own, but not on from ends that were cut.
+void refuse_cut(const Net& net) {
+    if (is_cut(net, Topology(net)))
+        throw Error(ErrorCode::impossible_change,
+                    "faces at the border of this net have edges of other lengths, as where rods are cut, and a row "
+                    "would leave them neither whole nor cut: of a surface lay a larger net, or give all edges one "
+                    "length first");
 }
 
 /// `make` of a sound place.
@@ -33,11 +45,18 @@ ChangedMesh checked(const Net& net, const ChangePlace& place) {
     return make(net, place);
 }
 
+template <ChangedMesh (*make)(const Net&, const ChangePlace&)>
+ChangedMesh checked_uncut(const Net& net, const ChangePlace& place) {
+    refuse_cut(net);
+    return checked<make>(net, place);
+}
+
 }  // namespace
 
 const std::vector<ChangeInfo>& change_table() {
     static const std::vector<ChangeInfo> table = {
-        {"refine", "every quad becomes two by two, with half the edge length", PlacePart::nothing, checked<refined>},
+        {"refine", "every quad becomes two by two, every triangle four, with half the edge length", PlacePart::nothing,
+         checked<refined>},
         {"coarsen", "two by two quads become one, with twice the edge length; rows left over at the border go",
          PlacePart::nothing, checked<coarsened>},
         {"cut", "the edges of the line are cut: both sides have vertices of their own there", PlacePart::edges,
@@ -53,11 +72,11 @@ const std::vector<ChangeInfo>& change_table() {
         {"delete_pieces", "the pieces of the net with one of the vertices go", PlacePart::vertices,
          checked<without_pieces_at>},
         {"add_row", "a row of quads is added along the line, which lies on the border", PlacePart::edges,
-         checked<with_row>},
+         checked_uncut<with_row>},
         {"insert_row", "a row of quads is put in along the line, which runs through the net", PlacePart::edges,
-         checked<with_inner_row>},
+         checked_uncut<with_inner_row>},
         {"remove_line", "the line is taken out: the rows on its two sides become one", PlacePart::edges,
-         checked<without_line>},
+         checked_uncut<without_line>},
         {"join", "borders within half an edge of each other become one", PlacePart::nothing, checked<joined>}};
     return table;
 }

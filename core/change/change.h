@@ -19,7 +19,8 @@ struct ChangedMesh {
     Mesh mesh;
     std::vector<int> origins;  ///< of each vertex the one of the net that it was; −1: it is new
     double length_factor = 1;  ///< all edges are to be so many times as long as the net's
-    /// Every edge is one of the net's, as long as that: nothing is to be found but lost digits.
+    /// Every edge is one of the net's, or part of one, and as long as it is to be: nothing is to be found but lost
+    /// digits.
     bool keeps_edges = false;
 };
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "change/corner_edges.h"
 #include "change/folded.h"
+#include "net/corner_edges.h"
 #include "net/rods.h"
 
 namespace chebnet {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -12,8 +13,10 @@
 #include <vector>
 
 #include "base/error.h"
-#include "change/corner_edges.h"
 #include "change/cut.h"
+#include "net/cell_sides.h"
+#include "net/corner_edges.h"
+#include "net/rods.h"
 
 namespace chebnet {
 
@@ -74,19 +77,19 @@ private:
 /// less or more sides than a cell.
 class Cells {
 public:
-    Cells(const Net& net, const std::vector<int>& edges)
+    Cells(const Net& net, const Topology& topology, const std::vector<int>& edges)
         : m_faces(net.faces()),
           m_edges(edges),
           m_corners(static_cast<std::size_t>(net.edge_count()), {k_none, k_none}),
           m_face_of(edges.size()),
-          m_side(edges.size(), k_none) {
+          m_side(cell_sides(net, topology, whole_length(net))) {
         for (int f = 0; f < m_faces.size(); ++f)
             for (int corner = m_faces.start[f]; corner < m_faces.start[f + 1]; ++corner) {
                 m_face_of[corner] = f;
                 std::array<int, 2>& both = m_corners[edges[corner]];
                 both[both[0] == k_none ? 0 : 1] = corner;
             }
-        for (int f = 0; f < m_faces.size(); ++f) number_sides(f);
+        for (int f = 0; f < m_faces.size(); ++f) refuse_unless_quad(f);
     }
 
     const std::array<int, 2>& corners(int edge) const { return m_corners[edge]; }
@@ -100,7 +103,12 @@ public:
     /// Whether both faces say how they lie at their side.
     bool lies_between_cells(int edge) const {
         const auto [a, b] = m_corners[edge];
-        return b != k_none && m_side[a] != k_none && m_side[b] != k_none;
+        return b != k_none && m_side[a] != k_rim && m_side[b] != k_rim;
+    }
+    /// Throws Error impossible_change for a face without four sides and without neighbours, which lies in no way.
+    void check_lone_faces() const {
+        for (int f = 0; f < m_faces.size(); ++f)
+            if (count(f) != 4 && between(f) == 0) refuse(f);
     }
     /// How the face beyond a corner's side lies, by how its own does.
     Pose across(int corner, const Pose& pose) const {
@@ -113,28 +121,26 @@ public:
     }
 
 private:
-    /// Sides that follow each other between faces are at right angles; a border may cross the cell between the last and
-    /// the first of them.
-    void number_sides(int f) {
-        const int start = m_faces.start[f], count = m_faces.start[f + 1] - start;
-        const auto is_between = [&](int k) { return beyond(start + k % count) != k_none; };
-        int between = 0, first = 0;
-        for (int k = 0; k < count; ++k) {
-            between += is_between(k) ? 1 : 0;
-            if (is_between(k) && !is_between(k + count - 1)) first = k;
-        }
-        if (count != 4 && between == count)
-            throw Error(ErrorCode::impossible_change,
-                        "face " + std::to_string(f) + " is no quad, so no piece with it lies flat as a square grid");
-        for (int k = 0; k < count && (count == 4 || is_between(first + k)); ++k)
-            m_side[start + (first + k) % count] = k;
+    [[noreturn]] static void refuse(int face) {
+        throw Error(ErrorCode::impossible_change,
+                    "face " + std::to_string(face) + " is no quad, so no piece with it lies flat as a square grid");
+    }
+    int count(int f) const { return m_faces.start[f + 1] - m_faces.start[f]; }
+    /// Sides of a face that are between two.
+    int between(int f) const {
+        int sides = 0;
+        for (int corner = m_faces.start[f]; corner < m_faces.start[f + 1]; ++corner) sides += beyond(corner) != k_none;
+        return sides;
+    }
+    void refuse_unless_quad(int f) const {
+        if (count(f) != 4 && between(f) == count(f)) refuse(f);
     }
 
     const Faces& m_faces;
     const std::vector<int>& m_edges;            // of each corner, that of its side
     std::vector<std::array<int, 2>> m_corners;  // of each edge
     std::vector<int> m_face_of;                 // of each corner
-    std::vector<int> m_side;                    // of each corner, which of the cell's its side is; none if not said
+    std::vector<int> m_side;                    // of each corner, which of the cell's its side is
 };
 
 /// Edges that are cut, in lines.
@@ -343,12 +349,26 @@ private:
     std::vector<std::set<Cell>> m_taken;      // and where they lie
 };
 
+/// A square grid has one length; a border may have cut edges that end there.
+void check_lengths(const Net& net, const Topology& topology) {
+    if (net.is_chebyshev()) return;
+    const double length = whole_length(net), tolerance = whole_edge_tolerance(net, length);
+    const auto is_inside = [&](int vertex) { return !topology.is_boundary(vertex); };
+    for (int e = 0; e < net.edge_count(); ++e)
+        if (is_inside(net.edges()(0, e)) && is_inside(net.edges()(1, e)) &&
+            std::abs(net.rest_lengths()[e] / length - 1) > tolerance)
+            throw Error(ErrorCode::impossible_change,
+                        "the edges of this net differ in length, so that no piece lies flat as a square grid: give "
+                        "all edges one length first");
+}
+
 }  // namespace
 
 ChangedMesh cut_flat(const Net& net, const ChangePlace& /*place*/) {
     const Topology topology(net);
+    check_lengths(net, topology);
     const std::vector<int> edges = corner_edges(net, topology);
-    const Cells cells(net, edges);
+    const Cells cells(net, topology, edges);
     Cuts cuts(net, topology);
     cuts.cut_from_singular();
     FlatPieces pieces(net, cells, cuts);
@@ -357,9 +377,9 @@ ChangedMesh cut_flat(const Net& net, const ChangePlace& /*place*/) {
     std::vector<int> all_vertices(static_cast<std::size_t>(net.vertex_count()));
     std::iota(all_vertices.begin(), all_vertices.end(), 0);
     ChangedMesh flat = parted(net, {all_vertices, cuts.edges()});
-    if (static_cast<int>(flat.origins.size()) == net.vertex_count())
-        throw Error(ErrorCode::impossible_change, "the net lies flat as a square grid as it is: nothing is to be cut");
-    return flat;
+    if (static_cast<int>(flat.origins.size()) > net.vertex_count()) return flat;
+    cells.check_lone_faces();
+    throw Error(ErrorCode::impossible_change, "the net lies flat as a square grid as it is: nothing is to be cut");
 }
 
 }  // namespace chebnet

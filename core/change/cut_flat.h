@@ -8,8 +8,9 @@ namespace chebnet {
 /// are cut from all singular vertices inside at once, each until it meets a border or another cut (the motorcycle graph
 /// of Eppstein, Goodrich, Kim and Tamstorf 2008), and where a piece still closes on itself or would lie upon itself;
 /// then pieces that lie flat together are joined again, first those with most edges between them. Faces that meet at a
-/// vertex alone are parted. The place does not matter. Throws Error impossible_change where an inner face is no quad,
-/// and where nothing is to be cut.
+/// vertex alone are parted. How a face lies in a cell of which a border has cut off a part says cell_sides(). The place
+/// does not matter. Throws Error impossible_change where an inner face is no quad, where edges inside of the net differ
+/// in length, and where nothing is to be cut: by the face, if one stands alone that is no quad.
 ChangedMesh cut_flat(const Net& net, const ChangePlace& place);
 
 }  // namespace chebnet

@@ -6,8 +6,9 @@
 
 #include "base/error.h"
 #include "base/sets.h"
-#include "change/corner_edges.h"
+#include "change/marked.h"
 #include "change/used_vertices.h"
+#include "net/corner_edges.h"
 
 namespace chebnet {
 

@@ -4,10 +4,11 @@
 #include <utility>
 
 #include "base/error.h"
-#include "change/corner_edges.h"
 #include "change/cut.h"
 #include "change/folded.h"
+#include "change/marked.h"
 #include "change/used_vertices.h"
+#include "net/corner_edges.h"
 
 namespace chebnet {
 

@@ -1,6 +1,8 @@
 #include "change/join.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -16,16 +18,26 @@ namespace {
 // In mean edges: what hands bring together, while the ends of an edge, and those of the short diagonal of a cell with
 // corners of 30 degrees, stay apart.
 constexpr double k_near = 0.5;
+// Vertices between which the net is less than so many times as long as the straight way lie near each other since it is
+// short, as between rods cut at a border.
+constexpr double k_short = 2;
 
-/// Whether they lie near each other since the net between them is short, as between rods cut at a border: no way along
-/// two edges is more than twice as long as the straight one.
-bool are_of_one_border(const Positions& x, const Topology& topology, int v, int w) {
-    const auto distance = [&](int a, int b) { return (x.col(a) - x.col(b)).norm(); };
-    for (const int between : topology.neighbours(v))
-        if ((between == w || topology.edge_between(between, w) >= 0) &&
-            distance(v, between) + distance(between, w) < 2 * distance(v, w))
-            return true;
-    return false;
+/// The ways along edges from a vertex to others, of those that are shorter than this.
+std::map<int, double> short_ways(const Positions& x, const Topology& topology, int from, double longest) {
+    std::map<int, double> ways{{from, 0}};
+    std::set<std::pair<double, int>> ahead{{0, from}};
+    while (!ahead.empty()) {
+        const auto [way, v] = ahead.extract(ahead.begin()).value();
+        if (way > ways.at(v)) continue;
+        for (const int next : topology.neighbours(v)) {
+            const double longer = way + (x.col(v) - x.col(next)).norm();
+            const auto known = ways.find(next);
+            if (longer >= longest || (known != ways.end() && known->second <= longer)) continue;
+            ways[next] = longer;
+            ahead.emplace(longer, next);
+        }
+    }
+    return ways;
 }
 
 /// Border vertices that lie near each other.
@@ -43,9 +55,15 @@ Sets near_vertices(const Net& net) {
     std::sort(border.begin(), border.end(), [&](int v, int w) { return x(axis, v) < x(axis, w); });
 
     Sets together(net.vertex_count());
-    for (auto v = border.begin(); v != border.end(); ++v)
-        for (auto w = v + 1; w != border.end() && x(axis, *w) - x(axis, *v) < near; ++w)
-            if ((x.col(*v) - x.col(*w)).norm() < near && !are_of_one_border(x, topology, *v, *w)) together.join(*v, *w);
+    for (auto v = border.begin(); v != border.end(); ++v) {
+        const std::map<int, double> ways = short_ways(x, topology, *v, k_short * near);
+        for (auto w = v + 1; w != border.end() && x(axis, *w) - x(axis, *v) < near; ++w) {
+            const double distance = (x.col(*v) - x.col(*w)).norm();
+            const auto way = ways.find(*w);
+            const bool are_of_one_border = way != ways.end() && way->second < k_short * distance;
+            if (distance < near && !are_of_one_border) together.join(*v, *w);
+        }
+    }
     return together;
 }
 

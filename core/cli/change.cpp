@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "base/angle.h"
 #include "base/error.h"
 #include "command.h"
 #include "edit/exact_change.h"

@@ -139,6 +139,7 @@ int run_drag(const DragArguments& arguments) {
     const SolveReport end = with_lengths_adapted(arguments.solver, editor, dragged.frames.back()).solve;
     write_results(arguments.solver, editor, to_csv(dragged.frames));
     print(drag_report(arguments, editor, end, dragged));
+    tell_sharp_quads(editor, end);
     // A frame on the way need not have come to rest.
     const auto is_net = [&](const SolveReport& frame) { return frame.max_deviation < editor.options().threshold; };
     const bool stays_net = arguments.solver.adapts_lengths || std::ranges::all_of(dragged.frames, is_net);

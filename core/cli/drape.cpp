@@ -1,13 +1,14 @@
 #include "drape/drape.h"
 
+#include <iostream>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/angle.h"
 #include "base/error.h"
 #include "base/number.h"
 #include "base/stopwatch.h"
@@ -16,22 +17,22 @@
 #include "drape/cut_proposals.h"
 #include "drape/drape_pieces.h"
 #include "drape/proposals.h"
+#include "drape/surface_report.h"
 #include "net_output.h"
+#include "option_words.h"
 #include "points_argument.h"
 #include "report.h"
-#include "surface/curvature.h"
 #include "surface/shortest_cut.h"
+#include "surface/smoothed_surface.h"
 #include "surface/surface_cut.h"
 #include "surface_argument.h"
 
 namespace chebnet {
 namespace {
 
-constexpr int k_most_seeds = 1000, k_most_cuts = 10;
+constexpr int k_most_cuts = 10;
 
-const std::map<std::string, DrapeOptions::Arms> k_arms = {{"geodesic", DrapeOptions::Arms::geodesic},
-                                                          {"least-shear", DrapeOptions::Arms::least_shear},
-                                                          {"curve", DrapeOptions::Arms::curve}};
+const std::map<std::string, DrapeOptions::Arms> k_arms = option_words(k_drape_arms);
 
 struct DrapeArguments {
     SurfaceArgument surface;
@@ -40,7 +41,7 @@ struct DrapeArguments {
     double length = 0;
     bool has_length = false, best = false;
     int cells = 4000;
-    double angle = 90, smallest_angle = 30, leave = 0;
+    double angle = 90, smallest_angle = k_usual_limit_degrees, leave = 0;
     int reach = DrapeOptions().reach;
     bool inside = false, cut = false;
     std::string arms, along;
@@ -72,14 +73,32 @@ DrapeOptions shared_options(const DrapeArguments& arguments, const Surface& surf
     return options;
 }
 
+/// Throws Error bad_option where one is farther from the surface than that is large, as one in another unit. Where a
+/// net begins is the nearest point, so that a seed may well be beside it; points of cuts may not.
+void check_seeds(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
+    const double size = (surface.positions().rowwise().maxCoeff() - surface.positions().rowwise().minCoeff()).norm();
+    for (std::size_t k = 0; k + 2 < arguments.seed.size(); k += 3) {
+        const Eigen::Vector3d seed = Eigen::Vector3d::Map(&arguments.seed[k]);
+        if (!seed.allFinite()) continue;  // which is refused where it is used
+        const double distance = tree.nearest(seed).distance;
+        if (distance <= size) continue;
+        const std::string name = arguments.has_several_seeds() ? "seed " + std::to_string(k / 3 + 1) : "the seed";
+        throw Error(ErrorCode::bad_option, name + " is " + std::to_string(distance) +
+                                               " away from the surface, which is " + std::to_string(size) + " large");
+    }
+}
+
 /// Where and how it begins if that is not looked for.
 DrapeOptions given_options(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
     DrapeOptions options = shared_options(arguments, surface, tree);
+    check_seeds(arguments, surface, tree);
     if (arguments.has_seed()) {
         options.seed = Eigen::Vector3d::Map(arguments.seed.data());
         options.direction = suggested_direction(surface, tree, options.seed);
     }
-    if (arguments.has_direction()) options.direction = Eigen::Vector3d::Map(arguments.direction.data());
+    if (!arguments.has_direction()) return options;
+    options.direction = Eigen::Vector3d::Map(arguments.direction.data());
+    if (options.direction.isZero(0)) throw Error(ErrorCode::bad_option, "--direction 0 0 0 has no length");
     return options;
 }
 
@@ -92,7 +111,9 @@ DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface,
     return propose(surface, tree, options).front().options;
 }
 
-Json drape_report(const Drape& draped, const DrapeReport& measured) {
+/// Of a Drape, or of all DrapedPieces together.
+template <typename Draped>
+Json drape_report(const Draped& draped, const DrapeReport& measured) {
     Json report = net_on_surface_report(draped.net, measured);
     report["refused_by_the_shear_limit"] = draped.locked;
     report["refused_where_the_net_meets_itself"] = draped.met;
@@ -196,11 +217,16 @@ int run_pieces(const DrapeArguments& arguments) {
     write_net(arguments.output, made.net.rest_positions(), made.net.faces());
     print({{"surface", name_of(arguments.surface)},
            {"described", surface_report(describe(surface))},
-           {"net", net_on_surface_report(made.net, made.report)},
+           {"net", drape_report(made, made.report)},
            {"pieces", pieces_report(made)},
            {"proposed", proposed},
            {"milliseconds", {{"cut", cut_ms}, {"drape", drape_ms}}}});
     return k_success;
+}
+
+void tell_roughness(const DrapeReport& measured) {
+    std::cerr << "chebnet: the surface is rough, as noisy scans are: the net lies on it smoothed over its edges, "
+              << number_text(measured.mean_distance / measured.length, 2) << " of an edge away on average\n";
 }
 
 int run_drape(const DrapeArguments& arguments) {
@@ -213,15 +239,18 @@ int run_drape(const DrapeArguments& arguments) {
     const SurfaceTree& tree = guide->tree();
     const double tree_ms = watch.milliseconds();
     watch.restart();
-    const DrapeOptions options = options_of(arguments, surface, tree);
-    const Drape draped =
-        arguments.leave != 0 ? bridged_drape(guide, options, arguments.leave) : drape(surface, tree, options);
+    const auto laid_on = without_roughness(guide, shared_options(arguments, surface, tree).length);
+    const DrapeOptions options = options_of(arguments, laid_on->surface(), laid_on->tree());
+    const Drape draped = arguments.leave != 0 ? bridged_drape(laid_on, options, arguments.leave)
+                                              : drape(laid_on->surface(), laid_on->tree(), options);
     const double drape_ms = watch.milliseconds();
+    const DrapeReport measured = measure_drape(surface, tree, draped.net, options.length);
     write_net(arguments.output, draped.net.rest_positions(), draped.net.faces());
     print({{"surface", name_of(arguments.surface)},
-           {"described", surface_report(describe(surface))},
-           {"net", drape_report(draped, measure_drape(surface, tree, draped.net, options.length))},
+           {"described", surface_report(describe(guide))},
+           {"net", drape_report(draped, measured)},
            {"milliseconds", {{"tree", tree_ms}, {"drape", drape_ms}}}});
+    if (laid_on != guide) tell_roughness(measured);
     return k_success;
 }
 
@@ -239,7 +268,8 @@ Command add_drape(CLI::App& program) {
                     "several times: a net from each, on pieces of their own, and none on others")
         ->type_name("X Y Z")
         ->type_size(3)
-        ->expected(1, k_most_seeds)
+        ->expected(1)
+        ->take_all()
         ->allow_extra_args(false);
     command
         .add_option(
@@ -275,7 +305,8 @@ Command add_drape(CLI::App& program) {
             "--along", arguments->along,
             "That curve: shortest ways between points on the surface, \"x,y,z x,y,z ...\". The seed goes to its "
             "nearest point, and the direction is its own")
-        ->type_name("POINTS");
+        ->type_name("POINTS")
+        ->check([](const std::string& points) { return std::string(points.empty() ? "has no points" : ""); });
     command.add_flag("--best", arguments->best,
                      "Begin where the best of several trials does; with --seed, there in the best direction, with "
                      "--direction, in that one");

@@ -1,12 +1,16 @@
 #include "edit/equalize.h"
 
+#include <iostream>
 #include <memory>
 #include <optional>
 
+#include "base/angle.h"
 #include "base/error.h"
 #include "base/number.h"
 #include "base/text.h"
 #include "command.h"
+#include "net/measures.h"
+#include "net/rods.h"
 #include "net_argument.h"
 #include "net_output.h"
 #include "report.h"
@@ -22,14 +26,14 @@ struct EqualizeArguments {
     std::string length = "mean";
     std::vector<int> handles;
     std::string method;
-    double shear_limit = 30;
+    double shear_limit = k_usual_limit_degrees;
     std::string guide;
 };
 
 EqualizeOptions options_of(const EqualizeArguments& arguments) {
     EqualizeOptions options;
     options.handles = arguments.handles;
-    options.method = arguments.method;
+    options.way = equalize_way_named(arguments.method);
     options.shear_limit = arguments.shear_limit * k_degree;
     if (!arguments.guide.empty()) options.guide = load_guide(arguments.guide, arguments.net.repair);
     if (arguments.length == "mean") return options;
@@ -61,7 +65,7 @@ Json equalize_report(const EqualizeArguments& arguments, const Equalizer& equali
     const std::optional<GuideDistance>& distance = equalized.distance;
     return {{"net", arguments.net.name},
             {"status", to_string(equalized.status)},
-            {"method", equalized.method},
+            {"method", to_string(equalized.way)},
             {"length", equalized.length},
             {"fitting_length", equalized.fitting_length},
             {"max_dL", equalized.max_deviation},
@@ -81,8 +85,21 @@ Json equalize_report(const EqualizeArguments& arguments, const Equalizer& equali
             {"unreachable_pairs", unreachable_report(equalized.unreachable_pairs)}};
 }
 
+/// The whole edges of such a net are of one length already, and few of its faces at the border are quads.
+void tell_of_cut_net(const Net& net) {
+    const Topology topology(net);
+    if (!is_cut(net, topology)) return;
+    int others = net.face_count();
+    for (const auto& [corners, count] : faces_by_arity(net.faces()))
+        if (corners == 4) others -= count;
+    std::cerr << "chebnet: a border has cut this net; its edges have one length but for those cut there, which now get "
+                 "it, too, and the limit does not hold for the "
+              << others << (others == 1 ? " face that is no quad\n" : " faces that are no quads\n");
+}
+
 int run_equalize(const EqualizeArguments& arguments) {
     Equalizer equalizer(load_net(arguments.net), options_of(arguments));
+    tell_of_cut_net(equalizer.original());
     const EqualizeReport equalized = equalizer.solve();
     write_net(arguments.output, equalizer.positions(), equalizer.original().faces());
     print(equalize_report(arguments, equalizer, equalized));

@@ -9,6 +9,7 @@
 #include "net/measures.h"
 #include "net/topology.h"
 #include "net_argument.h"
+#include "net_output.h"
 #include "report.h"
 #include "surface_argument.h"
 
@@ -29,6 +30,7 @@ Json counts_report(const std::map<int, int>& counts) {
 }
 
 int run_info(const InfoArguments& arguments) {
+    check_apart({arguments.edges, arguments.rods});
     const Net net = load_net(arguments.net);
     const Topology topology(net);
     const LengthRange lengths = edge_length_range(net, net.rest_positions());

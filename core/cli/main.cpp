@@ -19,8 +19,8 @@ int run(int argc, char** argv) {
     program.footer(
         "A NET is a file (" + titles_read("or") +
         "), or a recipe such as dome or vault:vertices=4000 (see chebnet make --list).\n"
-        "Exit codes: 0 done, every edge with its length, also where it ends exact: not at rest, or with corners\n"
-        "sharper than the limit; 1 not reached, 2 bad usage or input.");
+        "Exit codes: 0 done, every edge with its length, also where it ends exact or stalled: not at rest, or with\n"
+        "corners sharper than the limit, which is told; 1 not reached, 2 bad usage or input.");
     const Command commands[] = {add_info(program),   add_make(program),  add_convert(program),
                                 add_solve(program),  add_drag(program),  add_equalize(program),
                                 add_change(program), add_drape(program), add_remesh(program)};

@@ -81,7 +81,7 @@ void add_net_argument(CLI::App& command, NetArgument& argument) {
 void add_repair_argument(CLI::App& command, bool& repair) {
     command.add_flag(
         "--repair", repair,
-        "Merge coinciding vertices, remove faces that are degenerate, double or third at an edge, wind all "
+        "Merge coinciding vertices, remove faces that name a vertex twice, are double or third at an edge, wind all "
         "one way, drop unused vertices; vertices then count anew");
 }
 

@@ -2,6 +2,7 @@
 
 #include <CLI/App.hpp>
 #include <string>
+#include <vector>
 
 #include "net/net.h"
 
@@ -16,6 +17,10 @@ struct NetOutput {
 /// Declares the argument `name`, such as "-o,--output", and --text. Extensions that cannot be written are refused as
 /// soon as the command line is read, before any work is done for nothing.
 CLI::Option* add_net_output(CLI::App& command, const std::string& name, NetOutput& output);
+
+/// Throws Error bad_option where two of these files, empty where none is written, are the same: one would replace the
+/// other.
+void check_apart(const std::vector<std::string>& files);
 
 /// Throws Error file_access, too_large.
 void write_net(const NetOutput& output, const Positions& positions, const Faces& faces);

@@ -2,22 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/angle.h"
 #include "base/error.h"
 #include "base/number.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "command.h"
 #include "drape/drape.h"
+#include "drape/tilt.h"
 #include "net_output.h"
+#include "option_words.h"
 #include "points_argument.h"
 #include "report.h"
 #include "surface_argument.h"
@@ -25,17 +28,13 @@
 namespace chebnet {
 namespace {
 
-const std::map<std::string, RemeshOptions::Border> k_borders = {{"fitting", RemeshOptions::Border::fitting},
-                                                                {"always", RemeshOptions::Border::always},
-                                                                {"outer", RemeshOptions::Border::outer},
-                                                                {"across", RemeshOptions::Border::across},
-                                                                {"never", RemeshOptions::Border::never}};
+const std::map<std::string, RemeshOptions::Border> k_borders = option_words(k_remesh_borders);
 
 struct RemeshArguments {
     SurfaceArgument surface;
     NetOutput output;
     RemeshOptions options;
-    double smallest_angle = 30;
+    double smallest_angle = k_usual_limit_degrees;
     double crease = 0;
     std::string border = "fitting";
     std::vector<std::string> singular, forbidden, creases;
@@ -119,14 +118,23 @@ Json remesh_report(const Remesh& made, const DrapeReport& measured, const Singul
     return report;
 }
 
+/// Where a border that is held leads to a net that is longer than there is room for, it lies in folds.
+void tell_crumpled(int edges, RemeshOptions::Border border) {
+    if (edges == 0) return;
+    std::cerr << "chebnet: every edge has its length, but the net is crumpled: at " << edges
+              << (edges == 1 ? " edge" : " edges") << " it folds by more than 60 degrees where the surface does not; "
+              << (border == RemeshOptions::Border::fitting ? "more cells" : "--border fitting")
+              << " often lies smoother\n";
+}
+
 int run_remesh(const RemeshArguments& arguments) {
     Surface loaded = load_surface(arguments.surface);
     Stopwatch watch;
     const auto guide = std::make_shared<const Guide>(std::move(loaded));
     Json milliseconds = {{"tree", watch.milliseconds()}};
     RemeshOptions options = arguments.options;
-    options.smallest_angle = arguments.smallest_angle * std::numbers::pi / 180;
-    options.crease = arguments.crease * std::numbers::pi / 180;
+    options.smallest_angle = arguments.smallest_angle * k_degree;
+    options.crease = arguments.crease * k_degree;
     options.border = k_borders.at(arguments.border);
     read_wishes(arguments, options.singular);
     for (const std::string& text : arguments.creases)
@@ -137,10 +145,11 @@ int run_remesh(const RemeshArguments& arguments) {
     write_net(arguments.output, made.net.rest_positions(), made.net.faces());
     const DrapeReport measured = measure_drape(guide->surface(), guide->tree(), made.net);
     print({{"surface", name_of(arguments.surface)},
-           {"described", surface_report(describe(guide->surface()))},
+           {"described", surface_report(describe(guide))},
            {"net", remesh_report(made, measured, options.singular)},
            {"milliseconds", milliseconds}});
     if (made.sharp_quads > 0) tell_sharp_quads(made.sharp_quads, options.smallest_angle);
+    tell_crumpled(crumpled_edges(*guide, made.net), options.border);
     return k_success;
 }
 

@@ -1,7 +1,9 @@
 #include "report.h"
 
+#include <algorithm>
 #include <iostream>
 
+#include "base/angle.h"
 #include "base/error.h"
 #include "base/number.h"
 #include "edit/net_forces.h"
@@ -19,11 +21,14 @@ Json distance_report(const Editor& editor) {
     return {{"mean", distance.mean / length}, {"largest", distance.largest / length}};
 }
 
+int quads_beyond_limit(const Editor& editor, const Positions& positions) {
+    return sharp_quads(editor.net(), positions, editor.options().shear_limit - k_limit_tolerance);
+}
+
 /// A net that comes with some is opened by methods that know the limit.
 Json sharp_quads_report(const Editor& editor) {
-    const double limit = editor.options().shear_limit * k_degree - k_limit_tolerance;
-    return {{"at_rest", sharp_quads(editor.net(), editor.net().rest_positions(), limit)},
-            {"now", sharp_quads(editor.net(), editor.positions(), limit)}};
+    return {{"at_rest", quads_beyond_limit(editor, editor.net().rest_positions())},
+            {"now", quads_beyond_limit(editor, editor.positions())}};
 }
 
 /// Those that are not as they are unless said otherwise.
@@ -102,6 +107,13 @@ bool has_lengths(const Editor& editor, const SolveReport& end) {
 void tell_sharp_quads(int count, double limit) {
     std::cerr << "chebnet: every edge has its length, but " << count << (count == 1 ? " quad has" : " quads have")
               << " a corner sharper than " << number_text(degrees(limit), 4) << " degrees\n";
+}
+
+void tell_sharp_quads(const Editor& editor, const SolveReport& end) {
+    const MethodInfo& method = *std::ranges::find(method_table(), editor.method(), &MethodInfo::name);
+    if (!reads(method, "shear_limit") || !(editor.options().shear_limit > 0) || !has_lengths(editor, end)) return;
+    const int count = quads_beyond_limit(editor, editor.positions());
+    if (count > 0) tell_sharp_quads(count, editor.options().shear_limit);
 }
 
 void print(const Json& report) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 
 #include "edit/editor.h"
@@ -10,8 +9,6 @@ namespace chebnet {
 
 /// Keys keep the order in which they were added.
 using Json = nlohmann::ordered_json;
-
-inline constexpr double k_degree = std::numbers::pi / 180;
 
 /// How the net stands now: max dL, handle error, bend, corner angles, quads beyond the shear limit as the net came and
 /// now, and handle pairs that are out of reach.
@@ -34,6 +31,9 @@ bool has_lengths(const Editor& editor, const SolveReport& end);
 /// Tells on standard error that every edge has its length, but so many quads have corners sharper than this limit,
 /// radians.
 void tell_sharp_quads(int count, double limit);
+/// Likewise after a solve that ended so, if there are any and the method keeps to a limit: where handles leave no other
+/// net, or edges are so unlike that they allow no more.
+void tell_sharp_quads(const Editor& editor, const SolveReport& end);
 
 /// Writes to standard output; numbers that are not finite become null. Throws Error file_access.
 void print(const Json& report);

@@ -37,6 +37,7 @@ int run_solve(const SolverArguments& arguments) {
     const AdaptedSolve adapted = with_lengths_adapted(arguments, editor, editor.solve());
     write_results(arguments, editor, to_csv(adapted.solve.trace));
     print(solve_report(arguments, editor, adapted));
+    tell_sharp_quads(editor, adapted.solve);
     return has_lengths(editor, adapted.solve) ? k_success : k_not_converged;
 }
 

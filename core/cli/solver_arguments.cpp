@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <utility>
 
+#include "base/error.h"
 #include "edit/net_forces.h"
 #include "fabricate/rod_table.h"
 #include "io/file.h"
@@ -25,19 +27,19 @@ std::string stage_list(const MethodInfo& method) {
 std::string method_list() {
     std::vector<std::vector<std::string>> rows;
     for (const MethodInfo& method : method_table())
-        rows.push_back({method.name, std::string(method.sentence) + (method.slides ? " Lets handles slide." : "") +
-                                         " (" + method.citation + ") Stages: " + stage_list(method) + "."});
+        rows.push_back({method.name, std::string(method.sentence) +
+                                         (method.heeds.slides ? " Lets handles slide." : "") + " (" + method.citation +
+                                         ") Stages: " + stage_list(method) + "."});
     return "Methods:\n" + text_table(rows);
 }
 
 std::string default_text(const OptionInfo& option) {
     const double value = get_option(Options{}, option.name);
-    return std::string_view(option.kind) == "flag" ? (value != 0 ? "on" : "off") : to_text(value);
+    return option.kind == OptionKind::flag ? (value != 0 ? "on" : "off") : to_text(value);
 }
 
 std::string range_text(const OptionInfo& option) {
-    return std::string_view(option.kind) == "flag" ? "on, off"
-                                                   : to_text(option.smallest) + " to " + to_text(option.largest);
+    return option.kind == OptionKind::flag ? "on, off" : to_text(option.smallest) + " to " + to_text(option.largest);
 }
 
 std::string option_list() {
@@ -67,15 +69,30 @@ void set_option(Editor& editor, const std::string& key, const std::string& value
         std::cerr << "chebnet: method " << editor.method() << " does not read option " << key << '\n';
 }
 
-void set_option(Editor& editor, const std::string& setting) {
-    const auto equals = setting.find('=');
-    set_option(editor, setting.substr(0, equals), setting.substr(equals + 1));
-}
-
 /// Of GuideMode, as the text of an option.
 std::string guide_mode_number(const std::string& name) {
     const std::vector<std::string> names{"off", "near", "on", "outside"};
     return std::to_string(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+/// Keys and values of options, those by short names first. Throws Error bad_option for a key that is given twice.
+std::vector<std::pair<std::string, std::string>> settings_of(const SolverArguments& arguments) {
+    std::vector<std::pair<std::string, std::string>> settings;
+    const auto add = [&](const std::string& key, const std::string& value) {
+        if (std::ranges::any_of(settings, [&](const auto& setting) { return setting.first == key; }))
+            throw Error(ErrorCode::bad_option, "option " + key + " is given twice");
+        settings.emplace_back(key, value);
+    };
+    if (!arguments.threshold.empty()) add("threshold", arguments.threshold);
+    if (!arguments.max_iterations.empty()) add("max_iterations", arguments.max_iterations);
+    if (!arguments.shear_limit.empty()) add("shear_limit", arguments.shear_limit);
+    if (!arguments.length_scale.empty()) add("length_scale", arguments.length_scale);
+    if (!arguments.guide_mode.empty()) add("guide_mode", guide_mode_number(arguments.guide_mode));
+    for (const std::string& setting : arguments.settings) {
+        const auto equals = setting.find('=');
+        add(setting.substr(0, equals), setting.substr(equals + 1));
+    }
+    return settings;
 }
 
 /// As with options, says so where the method does nothing with it.
@@ -158,16 +175,12 @@ void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
 }
 
 Editor open_editor(const SolverArguments& arguments) {
+    check_apart({arguments.output.path, arguments.trace, arguments.edges, arguments.rods});
     Editor editor(load_net(arguments.net));
     const std::string_view usual = usual_method(editor.net().vertex_count());
     editor.set_method(arguments.method.empty() ? usual : std::string_view(arguments.method));
     editor.set_initialisation(arguments.initialisation);
-    if (!arguments.threshold.empty()) set_option(editor, "threshold", arguments.threshold);
-    if (!arguments.max_iterations.empty()) set_option(editor, "max_iterations", arguments.max_iterations);
-    if (!arguments.shear_limit.empty()) set_option(editor, "shear_limit", arguments.shear_limit);
-    if (!arguments.length_scale.empty()) set_option(editor, "length_scale", arguments.length_scale);
-    if (!arguments.guide_mode.empty()) set_option(editor, "guide_mode", guide_mode_number(arguments.guide_mode));
-    for (const std::string& setting : arguments.settings) set_option(editor, setting);
+    for (const auto& [key, value] : settings_of(arguments)) set_option(editor, key, value);
     if (!arguments.guide.empty()) set_guide(editor, arguments);
     return editor;
 }
@@ -180,7 +193,9 @@ AdaptedSolve with_lengths_adapted(const SolverArguments& arguments, Editor& edit
     if (solved.status != Status::converged) return {solved, search};
     editor.set_state(adapter.state());
     const SolveReport at_rest = editor.solve();
-    if (keeps_lengths(at_rest.status)) solved.status = at_rest.status;
+    // A net that is found stays so, whether or not there is time for it to come to rest.
+    const bool is_net = at_rest.max_deviation < editor.options().threshold;
+    if (!(is_net && at_rest.status == Status::max_iterations)) solved.status = at_rest.status;
     go_on_with(solved, at_rest, search.milliseconds);
     return {solved, search};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "base/angle.h"
 #include "base/error.h"
 #include "io/format.h"
 #include "net_argument.h"
@@ -36,7 +37,10 @@ void add_surface_argument(CLI::App& command, SurfaceArgument& argument) {
 Surface load_surface(const SurfaceArgument& argument) {
     if (argument.file.empty() == argument.own.empty())
         throw Error(ErrorCode::bad_option, "a net is laid on the surface of a file or on one of ours, by --surface");
-    return argument.own.empty() ? load_surface(argument.file, argument.repair) : make_own_surface(argument.own);
+    if (!argument.own.empty()) return make_own_surface(argument.own);
+    Surface surface = load_surface(argument.file, argument.repair);
+    if (!(surface.area() > 0)) throw Error(ErrorCode::bad_option, argument.file + ": the surface has no area");
+    return surface;
 }
 
 std::shared_ptr<const Guide> load_guide(const std::string& name, bool repair) {
@@ -75,8 +79,8 @@ Json net_on_surface_report(const Net& net, const DrapeReport& measured) {
             {"largest_distance", measured.largest_distance},
             {"mean_distance_in_lengths", measured.mean_distance / length},
             {"largest_distance_in_lengths", measured.largest_distance / length},
-            {"smallest_corner_angle_degrees", of_cells(measured.smallest_angle * 180 / std::numbers::pi)},
-            {"largest_corner_angle_degrees", of_cells(measured.largest_angle * 180 / std::numbers::pi)},
+            {"smallest_corner_angle_degrees", of_cells(measured.smallest_angle / k_degree)},
+            {"largest_corner_angle_degrees", of_cells(measured.largest_angle / k_degree)},
             {"part_of_cells_sheared_over_15_degrees", of_cells(measured.sheared)},
             {"part_of_cells_sheared_over_30_degrees", of_cells(measured.much_sheared)},
             {"folds_over_60_degrees", measured.folds},

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "drape/drape.h"
+#include "drape/surface_report.h"
 #include "report.h"
-#include "surface/curvature.h"
 #include "surface/guide.h"
 #include "surface/surface.h"
 

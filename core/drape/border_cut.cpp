@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -23,7 +22,7 @@ public:
     Cutter(const Compass& compass, double smallest_angle, const std::vector<DrapedVertex>& vertices)
         : m_compass(compass),
           m_stub(k_shortest_end * compass.length()),
-          m_largest_cosine(std::cos(smallest_angle)),
+          m_largest_cosine(largest_cosine(smallest_angle)),
           m_vertices(vertices) {}
 
     BorderCut run(const std::vector<std::array<int, 4>>& cells) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "drape/compass.h"
@@ -25,6 +26,10 @@ struct BorderCut {
 /// has a rod that is longer than it was.
 BorderCut cut_at_border(const Compass& compass, double smallest_angle, const std::vector<DrapedVertex>& vertices,
                         const std::vector<std::array<int, 4>>& cells);
+
+/// The cosine beyond which a corner is sharper than this. Rounding puts none there: a net may be laid with all its
+/// corners at the limit.
+inline double largest_cosine(double smallest_angle) { return std::cos(smallest_angle) + 1e-10; }
 
 /// In edge lengths.
 inline constexpr double k_shortest_end = 0.05;

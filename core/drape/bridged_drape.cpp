@@ -13,6 +13,7 @@
 #include "drape/draped_net.h"
 #include "drape/opened_corners.h"
 #include "drape/slits.h"
+#include "drape/surroundings.h"
 
 namespace chebnet {
 
@@ -45,21 +46,38 @@ bool keeps_border(const Compass& compass, const DrapeOptions& options, const Sli
     return std::any_of(face.begin(), face.end(), is_on_surface) && std::all_of(face.begin(), face.end(), may_stand);
 }
 
-/// The cells that are near enough, within the limit, across no slit and not farther over the border than they may be,
-/// joined to the seed.
-std::vector<std::array<int, 4>> good_cells(const Net& net, const Compass& compass, const DrapeOptions& options,
+/// Which vertices do not lie on those before them, which are nearer to the seed. Opening corners may have moved them
+/// there. `places`: their steps from the seed. `smallest_angle`: of corners, radians.
+std::vector<bool> beside_others(const Compass& compass, const std::vector<DrapedVertex>& vertices,
+                                const Eigen::Matrix2Xi& places, double smallest_angle) {
+    Surroundings surroundings(compass.length());
+    std::vector<bool> is_beside(vertices.size());
+    for (int v = 0; v < std::ssize(vertices); ++v) {
+        is_beside[v] = !surroundings.any_near(vertices[v].position, [&](int other) {
+            return lie_on_each_other(compass, vertices[other], vertices[v], places.col(v) - places.col(other),
+                                     smallest_angle);
+        });
+        if (is_beside[v]) surroundings.add(vertices[v].position, v);
+    }
+    return is_beside;
+}
+
+/// The cells that are near enough, within the limit, on no others, across no slit and not farther over the border than
+/// they may be, joined to the seed.
+std::vector<std::array<int, 4>> good_cells(const Drape& laid, const Compass& compass, const DrapeOptions& options,
                                            const Slits* slits, const std::vector<DrapedVertex>& vertices,
                                            const Eigen::VectorXd& heights, double most_height) {
-    const double largest_cosine = std::cos(options.smallest_angle);
+    const Net& net = laid.net;
+    const std::vector<bool> is_beside = beside_others(compass, vertices, laid.places, options.smallest_angle);
     std::vector<std::vector<int>> good;
     for (int f = 0; f < net.face_count(); ++f) {
         const std::span<const int> face = net.faces()[f];
         std::array<Eigen::Vector3d, 4> corners;
         std::transform(face.begin(), face.end(), corners.begin(), [&](int v) { return vertices[v].position; });
-        const bool is_near =
-            std::all_of(face.begin(), face.end(), [&](int v) { return std::abs(heights[v]) <= most_height; });
-        if (is_near && keeps_limit(corners, largest_cosine) && !is_parted(compass, vertices, face) &&
-            keeps_border(compass, options, slits, vertices, face))
+        const bool is_near = std::all_of(face.begin(), face.end(),
+                                         [&](int v) { return std::abs(heights[v]) <= most_height && is_beside[v]; });
+        if (is_near && keeps_limit(corners, largest_cosine(options.smallest_angle)) &&
+            !is_parted(compass, vertices, face) && keeps_border(compass, options, slits, vertices, face))
             good.emplace_back(face.begin(), face.end());
     }
     std::vector<std::array<int, 4>> cells;
@@ -84,7 +102,7 @@ std::optional<Drape> opened_drape(const Guide& guide, const DrapeOptions& option
     const Compass compass(guide.surface(), guide.tree(), options.length, slits);
     const std::vector<DrapedVertex> vertices = draped_vertices(compass, *positions, laid.faces);
     const std::vector<std::array<int, 4>> cells = good_cells(
-        laid.net, compass, options, slits, vertices, heights_over(guide, *positions), most_height * options.length);
+        laid, compass, options, slits, vertices, heights_over(guide, *positions), most_height * options.length);
     BorderCut left;
     if (options.border == DrapeOptions::Border::cut)
         left = cut_at_border(compass, options.smallest_angle, vertices, cells);

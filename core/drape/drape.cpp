@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <queue>
 #include <string>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -22,21 +24,17 @@
 #include "drape/drawn_curve.h"
 #include "drape/least_shear.h"
 #include "drape/slits.h"
-#include "surface/height.h"
+#include "drape/surroundings.h"
 
 namespace chebnet {
 
 namespace {
 
-// Vertices more than two steps apart do not come closer than this, in edge lengths, unless the net lies on itself: in a
-// net sheared to 30° they keep 1.03.
-constexpr double k_least_distance = 0.7;
-constexpr int k_near_steps = 2;
 // Vertices at one place of the grid, or next to each other there, that are farther apart than this, in edge lengths,
 // belong to parts of the net that lie over each other only where it is unrolled, as turns of a spiral do.
 constexpr double k_other_part = 4;
-// A cosine: a direction nearer than that to the normal is of no use.
-constexpr double k_upright = 0.9;
+// Vertices on a drawn curve with one between them that are nearer, in edge lengths, would have cells on each other.
+constexpr double k_turned_back = 0.5;
 
 [[noreturn]] void refuse_size() {
     throw Error(ErrorCode::too_large, "the net would have more than " + std::to_string(k_most_draped_vertices) +
@@ -57,61 +55,6 @@ struct GridPlace {
 constexpr std::array<GridPlace, 4> k_steps = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 constexpr std::array<GridPlace, 4> k_diagonals = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
-/// A hash of integers.
-std::uint64_t key_of(std::int64_t a, std::int64_t b, std::int64_t c = 0) {
-    std::uint64_t key = 0;
-    for (const std::int64_t number : {a, b, c}) {
-        key = (key ^ static_cast<std::uint64_t>(number)) * 0x9E3779B97F4A7C15u;
-        key ^= key >> 32;
-    }
-    return key;
-}
-
-/// Vertices by the cube of space in which they are.
-class Surroundings {
-public:
-    explicit Surroundings(double size) : m_size(size) {}
-
-    void add(const Eigen::Vector3d& position, int vertex) {
-        const auto cube = cube_of(position);
-        m_vertices.emplace(key_of(cube[0], cube[1], cube[2]), vertex);
-    }
-
-    /// Whether `condition` holds for one of the vertices in this cube and those around it.
-    template <class Condition>
-    bool any_near(const Eigen::Vector3d& position, Condition condition) const {
-        const auto cube = cube_of(position);
-        for (int a = -1; a <= 1; ++a)
-            for (int b = -1; b <= 1; ++b)
-                for (int c = -1; c <= 1; ++c) {
-                    const auto [begin, end] = m_vertices.equal_range(key_of(cube[0] + a, cube[1] + b, cube[2] + c));
-                    for (auto entry = begin; entry != end; ++entry)
-                        if (condition(entry->second)) return true;
-                }
-        return false;
-    }
-
-private:
-    std::array<std::int64_t, 3> cube_of(const Eigen::Vector3d& position) const {
-        std::array<std::int64_t, 3> cube{};
-        for (int k = 0; k < 3; ++k)
-            cube[k] = static_cast<std::int64_t>(std::clamp(std::floor(position[k] / m_size), -k_farthest, k_farthest));
-        return cube;
-    }
-
-    static constexpr double k_farthest = 0x1p62;  // all beyond is in one cube
-
-    double m_size;
-    std::unordered_multimap<std::uint64_t, int> m_vertices;
-};
-
-Eigen::Vector3d centre_of_mass(const Surface& surface) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (int f = 0; f < surface.face_count(); ++f)
-        sum += surface.areas()[f] * surface.position_at({f, Eigen::Vector3d::Constant(1. / 3)});
-    return sum / surface.area();
-}
-
 class Draper {
 public:
     Draper(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options, const BentArms& bent)
@@ -121,7 +64,7 @@ public:
           m_slits(slits_of(surface, tree, options)),
           m_compass(surface, tree, options.length, slits()),
           m_surroundings(options.length),
-          m_largest_cosine(std::cos(options.smallest_angle)) {
+          m_largest_cosine(largest_cosine(options.smallest_angle)) {
         const SurfaceTree::Nearest seed =
             tree.nearest(m_curve ? m_curve->nearest(options.seed).position : options.seed);
         add({0, 0}, m_compass.vertex_at(seed.position, seed.at.face));
@@ -153,7 +96,7 @@ private:
             bend(arm, last, direction);
             const auto vertex = m_compass.straight_on(m_vertices[last], direction);
             const GridPlace place = m_places[last] + k_steps[arm];
-            if (!vertex || !is_allowed(place, *vertex)) return;
+            if (!vertex || !is_allowed(place, *vertex, last)) return;
             last = add(place, *vertex);
         }
     }
@@ -189,11 +132,21 @@ private:
         while (const auto next = m_curve->after(here, m_options.length, forwards)) {
             const DrapedVertex vertex = m_compass.vertex_at(next->position, m_vertices[last].at.face);
             const GridPlace place = m_places[last] + k_steps[forwards ? 0 : 2];
-            if (!is_allowed(place, vertex)) return -1;
+            const int before = find({2 * m_places[last].i - place.i, 0});
+            if (before >= 0) check_goes_on(m_vertices[before].position, vertex.position);
+            if (!is_allowed(place, vertex, last)) return -1;
             last = add(place, vertex);
             here = *next;
         }
         return last;
+    }
+
+    /// Of vertices on the curve with one between them.
+    void check_goes_on(const Eigen::Vector3d& before, const Eigen::Vector3d& next) const {
+        if ((next - before).norm() >= k_turned_back * m_options.length) return;
+        const auto text = [](double number) { return std::to_string(number); };
+        throw Error(ErrorCode::bad_option, "the drawn curve turns back along itself near " + text(next.x()) + " " +
+                                               text(next.y()) + " " + text(next.z()));
     }
 
     /// Sets every vertex that has three of a cell's before it.
@@ -217,11 +170,11 @@ private:
         if (!is_on_surface(d) && !is_on_surface(a) && !is_on_surface(b)) return std::nullopt;
         const auto c = m_compass.across(d, a, b);
         if (!c || !is_within_limit({d.position, a.position, c->position, b.position})) {
-            refuse(place, m_locked);
+            refuse(place, corner.d, Refusal::locked);
             return std::nullopt;
         }
         if (m_compass.is_slit_between(a, *c) || m_compass.is_slit_between(b, *c)) return std::nullopt;
-        return is_allowed(place, *c) ? c : std::nullopt;
+        return is_allowed(place, *c, corner.d) ? c : std::nullopt;
     }
 
     /// Of the cells at a place whose other three vertices are known: the one nearest to the seed; where there can be
@@ -252,7 +205,7 @@ private:
             if (back < 0 || !is_in_the_open(place, from) || !is_on_surface(m_vertices[from])) continue;
             Eigen::Vector3d direction = m_vertices[from].position - m_vertices[back].position;
             const auto next = m_compass.straight_on(m_vertices[from], direction);
-            if (!next || !is_allowed(place, *next)) continue;
+            if (!next || !is_allowed(place, *next, from)) continue;
             add(place, *next);
             return true;
         }
@@ -261,19 +214,22 @@ private:
 
     /// Whether nothing is known at a place and around it but `from`, and nothing was refused there.
     bool is_in_the_open(const GridPlace& place, int from) const {
-        if (is_known_beside(place, from) || is_refused(place)) return false;
+        if (is_known_beside(place, from) || is_refused_beside(place, from)) return false;
         for (const GridPlace& step : k_steps)
-            if (is_refused(place + step) || is_known_beside(place + step, from)) return false;
+            if (is_refused_beside(place + step, from) || is_known_beside(place + step, from)) return false;
         return true;
     }
 
     /// Whether another vertex than `from` is there, on its part of the net and its side of slits.
     bool is_known_beside(const GridPlace& place, int from) const {
         for (int vertex = find(place); vertex >= 0; vertex = m_other_at[vertex])
-            if (vertex != from && !are_apart(vertex, from) &&
-                !m_compass.is_slit_between(m_vertices[vertex], m_vertices[from]))
-                return true;
+            if (vertex != from && are_together(vertex, from)) return true;
         return false;
+    }
+
+    /// Whether two vertices are on one part of the net, and on one side of slits.
+    bool are_together(int a, int b) const {
+        return !are_apart(a, b) && !m_compass.is_slit_between(m_vertices[a], m_vertices[b]);
     }
 
     bool are_apart(int a, int b) const { return are_apart(m_vertices[a], m_vertices[b]); }
@@ -282,11 +238,12 @@ private:
                k_other_part * k_other_part * m_options.length * m_options.length;
     }
 
-    bool is_allowed(const GridPlace& place, const DrapedVertex& vertex) {
+    /// Of a new vertex, found from one that is known.
+    bool is_allowed(const GridPlace& place, const DrapedVertex& vertex, int from) {
         if (std::abs(place.i) > m_options.reach || std::abs(place.j) > m_options.reach) return false;
         if (!is_on_surface(vertex) && is_bound(m_options, slits(), vertex.at)) return false;
         if (meets_net(place, vertex)) {
-            refuse(place, m_met);
+            refuse(place, from, Refusal::met);
             return false;
         }
         return true;
@@ -307,9 +264,8 @@ private:
             if (!are_apart(m_vertices[same], next) && !m_compass.is_slit_between(m_vertices[same], next)) return true;
         return m_surroundings.any_near(next.position, [&](int other) {
             const GridPlace& there = m_places[other];
-            return std::abs(there.i - place.i) + std::abs(there.j - place.j) > k_near_steps &&
-                   (m_vertices[other].position - next.position).norm() < k_least_distance * m_options.length &&
-                   m_vertices[other].normal.dot(next.normal) > 0 && !m_compass.is_slit_between(m_vertices[other], next);
+            const Eigen::Vector2i steps(there.i - place.i, there.j - place.j);
+            return lie_on_each_other(m_compass, m_vertices[other], next, steps, m_options.smallest_angle);
         });
     }
 
@@ -330,11 +286,15 @@ private:
         m_other_at.push_back(find(place));
         m_at[key(place)] = number;
         m_surroundings.add(vertex.position, number);
+        accept(place, number);
         const auto wait_for = [&](const GridPlace& next) {
             if (m_slits || !is_known_beside(next, number)) m_waiting.push(next);
         };
         for (const GridPlace& step : k_steps) {
             m_rim.push({place + step, number});
+            // Around the end of a slit lines may have gone up to where what is behind them was not known yet.
+            const int before = m_slits ? find(place + step, number) : -1;
+            if (before >= 0) m_rim.push({place + step + step, before});
             wait_for(place + step);
         }
         for (const GridPlace& diagonal : k_diagonals) wait_for(place + diagonal);
@@ -345,8 +305,8 @@ private:
 
     Drape result() const {
         Drape drape = draped_net(m_vertices, places(), left_by_border(connected(complete_cells())));
-        drape.locked = m_locked;
-        drape.met = m_met;
+        drape.locked = count(Refusal::locked);
+        drape.met = count(Refusal::met);
         return drape;
     }
 
@@ -365,9 +325,11 @@ private:
         return places;
     }
 
-    /// Cells of four known vertices, counterclockwise, which keep the limit and have a vertex on the surface.
+    /// Cells of four known vertices, counterclockwise, which keep the limit and have a vertex on the surface. Around
+    /// the end of a slit two vertices at one place may both be beside a third: a side is of the first cell that has it.
     std::vector<std::array<int, 4>> complete_cells() const {
         std::vector<std::array<int, 4>> cells;
+        std::unordered_set<std::uint64_t> sides;
         for (std::size_t v = 0; v < m_vertices.size(); ++v) {
             const GridPlace& place = m_places[v];
             const int d = static_cast<int>(v);
@@ -377,14 +339,19 @@ private:
             if (*std::min_element(cell.begin(), cell.end()) < 0) continue;
             if (m_compass.is_slit_between(m_vertices[b], m_vertices[cell[2]])) continue;
             if (std::none_of(cell.begin(), cell.end(), [&](int c) { return is_on_surface(m_vertices[c]); })) continue;
-            if (is_within_limit({at(0), at(1), at(2), at(3)})) cells.push_back(cell);
+            if (!is_within_limit({at(0), at(1), at(2), at(3)})) continue;
+            std::array<std::uint64_t, 4> keys{};
+            for (std::size_t k = 0; k < 4; ++k) keys[k] = side_key(cell[k], cell[(k + 1) % 4]);
+            if (std::any_of(keys.begin(), keys.end(), [&](std::uint64_t side) { return sides.contains(side); }))
+                continue;
+            sides.insert(keys.begin(), keys.end());
+            cells.push_back(cell);
         }
         return cells;
     }
 
     /// Those that are joined by edges to the first one at the seed.
     std::vector<std::array<int, 4>> connected(const std::vector<std::array<int, 4>>& cells) const {
-        const auto side_key = [](int from, int to) { return key({from, to}); };
         std::unordered_map<std::uint64_t, int> cell_at;  // by sides, which run counterclockwise
         cell_at.reserve(4 * cells.size());
         for (std::size_t c = 0; c < cells.size(); ++c)
@@ -412,6 +379,8 @@ private:
             if (is_reached[c]) reached.push_back(cells[c]);
         return reached;
     }
+
+    static std::uint64_t side_key(int from, int to) { return key({from, to}); }
 
     static std::uint64_t key(const GridPlace& place) {
         return static_cast<std::uint64_t>(static_cast<std::uint32_t>(place.i)) << 32 |
@@ -443,10 +412,28 @@ private:
         if (slits && slits->none()) slits.reset();
         return slits;
     }
-    void refuse(const GridPlace& place, int& count) {
-        if (m_refused.emplace(key(place), true).second) ++count;
+
+    /// Of a place on the part of the net, and the side of slits, where a vertex is.
+    struct Refusal {
+        enum Reason { locked, met } reason;
+        int beside;
+    };
+    void refuse(const GridPlace& place, int beside, Refusal::Reason reason) {
+        if (!is_refused_beside(place, beside)) m_refused.emplace(key(place), Refusal{reason, beside});
     }
-    bool is_refused(const GridPlace& place) const { return m_refused.contains(key(place)); }
+    /// A vertex is there that was found another way.
+    void accept(const GridPlace& place, int vertex) {
+        for (auto [refusal, end] = m_refused.equal_range(key(place)); refusal != end;)
+            refusal = are_together(refusal->second.beside, vertex) ? m_refused.erase(refusal) : std::next(refusal);
+    }
+    bool is_refused_beside(const GridPlace& place, int vertex) const {
+        const auto [begin, end] = m_refused.equal_range(key(place));
+        return std::any_of(begin, end, [&](const auto& entry) { return are_together(entry.second.beside, vertex); });
+    }
+    int count(Refusal::Reason reason) const {
+        return static_cast<int>(std::count_if(m_refused.begin(), m_refused.end(),
+                                              [&](const auto& entry) { return entry.second.reason == reason; }));
+    }
 
     struct Extension {
         GridPlace place;
@@ -465,12 +452,11 @@ private:
     std::vector<GridPlace> m_places;
     std::unordered_map<std::uint64_t, int> m_at;  // by places: the last vertex there
     std::vector<int> m_other_at;  // the one before at the same place, beyond a slit or apart; −1 if there is none
-    std::unordered_map<std::uint64_t, bool> m_refused;
+    std::unordered_multimap<std::uint64_t, Refusal> m_refused;  // by places
     Surroundings m_surroundings;
     Queue<GridPlace> m_waiting;
     Queue<Extension> m_rim;
     double m_largest_cosine;
-    int m_locked = 0, m_met = 0;
 };
 
 }  // namespace
@@ -495,24 +481,6 @@ void check_drape(const Surface& surface, const DrapeOptions& options) {
     if (options.reach == DrapeOptions{}.reach &&
         surface.area() / (options.length * options.length) > 2.0 * k_most_draped_vertices)
         refuse_size();
-}
-
-DrapeOptions suggested_drape(const Surface& surface, const SurfaceTree& tree, int cells) {
-    if (cells < 1) throw Error(ErrorCode::bad_option, "a net has at least one cell");
-    if (!(surface.area() > 0)) throw Error(ErrorCode::bad_option, "the surface has no area");
-    DrapeOptions options;
-    options.seed = tree.nearest(centre_of_mass(surface)).position;
-    options.direction = suggested_direction(surface, tree, options.seed);
-    options.length = std::sqrt(surface.area() / cells);
-    return options;
-}
-
-Eigen::Vector3d suggested_direction(const Surface& surface, const SurfaceTree& tree, const Eigen::Vector3d& seed) {
-    if (!seed.allFinite()) throw Error(ErrorCode::non_finite, "the seed has a coordinate that is not finite");
-    const SurfaceTree::Nearest nearest = tree.nearest(seed);
-    // The normal by which the net begins, which near creases is not the one interpolated from vertices.
-    const Eigen::Vector3d normal = height_at(surface, nearest, nearest.position).normal;
-    return std::abs(normal.x()) > k_upright ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
 }
 
 Drape drape(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {

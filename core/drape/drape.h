@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "base/angle.h"
+#include "base/enum_names.h"
 #include "net/net.h"
 #include "surface/surface.h"
 #include "surface/surface_tree.h"
@@ -32,7 +34,7 @@ struct DrapeOptions {
     Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< of the first family of net lines there
     double length = 1;                                     ///< L, of all edges
     double angle = std::numbers::pi / 2;                   ///< between the two families at the seed
-    double smallest_angle = std::numbers::pi / 6;          ///< no corner is sharper, nor blunter than π less it
+    double smallest_angle = k_usual_shear_limit;           ///< no corner is sharper, nor blunter than π less it
     int reach = std::numeric_limits<int>::max();           ///< cells from the seed along either family
     Border border = Border::beyond;
     Arms arms = Arms::geodesic;
@@ -47,8 +49,16 @@ struct DrapeOptions {
     bool beyond_cuts = false;  ///< with Border::beyond cells go over cuts, too: for rods that are to be cut there later
 };
 
-/// A beginning for want of a better one: from the point nearest to the centre of mass in the suggested direction, with
-/// the length that gives about so many `cells` (≥ 1) if the whole is covered.
+inline constexpr EnumName<DrapeOptions::Border> k_drape_borders[] = {{"inside", DrapeOptions::Border::inside},
+                                                                     {"beyond", DrapeOptions::Border::beyond},
+                                                                     {"cut", DrapeOptions::Border::cut}};
+inline constexpr EnumName<DrapeOptions::Arms> k_drape_arms[] = {{"geodesic", DrapeOptions::Arms::geodesic},
+                                                                {"least_shear", DrapeOptions::Arms::least_shear},
+                                                                {"curve", DrapeOptions::Arms::curve}};
+
+/// A beginning for want of a better one: from the point nearest to the centre of mass or, where that is on a border,
+/// the nearest one some cells inside, in the suggested direction, with the length that gives about so many `cells` (≥
+/// 1) if the whole is covered.
 DrapeOptions suggested_drape(const Surface& surface, const SurfaceTree& tree, int cells);
 
 /// From a seed: along the x axis or, where that is nearly upright, the y axis. Throws Error non_finite.
@@ -107,8 +117,9 @@ double sampled_coverage(const Surface& surface, const Net& net, std::optional<do
 struct DrapeReport {
     double length;                           ///< L: of most edges, or as given, or whole_length() if is_cut(), or mean
     double coverage;                         ///< part of the surface's area that is within L / 2 of the net
-    double open_border;                      ///< length of the net's border that is not beside the surface's: of gaps,
-                                             ///< and of both sides of slits, which coverage counts as covered
+    double open_border;                      ///< length of the net's border that is not beside the surface's, or is so
+                                             ///< where the surface goes on bare: of gaps, and of both sides of slits,
+                                             ///< which coverage counts as covered
     int gaps;                                ///< how many stretches of border that is; a whole loop is one
     double mean_distance, largest_distance;  ///< of vertices and middles of edges from the surface, beyond its border
                                              ///< from where it would go on; in the surface's unit

@@ -14,6 +14,7 @@
 #include "drape/proposals.h"
 #include "surface/geodesics.h"
 #include "surface/guide.h"
+#include "surface/smoothed_surface.h"
 #include "surface/surface_cut.h"
 
 namespace chebnet {
@@ -119,18 +120,35 @@ std::vector<bool> sides_among(const Surface& piece, const std::set<Ends>& cut) {
     return is_cut;
 }
 
-DrapedPiece draped_from(int number, const std::shared_ptr<const Guide>& piece, DrapeOptions own, double leave) {
+/// `laid_on`: the piece without its roughness.
+DrapedPiece draped_from(int number, const std::shared_ptr<const Guide>& piece,
+                        const std::shared_ptr<const Guide>& laid_on, DrapeOptions own, double leave) {
     own.slits = true;
     const bool has_curve = own.arms == DrapeOptions::Arms::curve;
     if (has_curve && !is_on(*piece, own.along, k_on_piece * own.length)) own.arms = DrapeOptions::Arms::geodesic;
-    Drape draped = leave != 0 ? bridged_drape(piece, own, leave) : drape(piece->surface(), piece->tree(), own);
+    Drape draped = leave != 0 ? bridged_drape(laid_on, own, leave) : drape(laid_on->surface(), laid_on->tree(), own);
     const DrapeReport report = measure_drape(piece->surface(), piece->tree(), draped.net, own.length);
     return {number, piece->surface().area(), own, std::move(draped), report};
 }
 
-DrapedPiece draped_piece(int number, const std::shared_ptr<const Guide>& piece, const PiecesOptions& options,
+DrapedPiece draped_piece(int number, const std::shared_ptr<const Guide>& piece,
+                         const std::shared_ptr<const Guide>& laid_on, const PiecesOptions& options,
                          const Eigen::Vector3d* seed) {
-    return draped_from(number, piece, options_on(*piece, options, seed), options.leave);
+    return draped_from(number, piece, laid_on, options_on(*laid_on, options, seed), options.leave);
+}
+
+void add_up(DrapedPieces& made) {
+    made.places.resize(2, made.net.vertex_count());
+    Eigen::Index first = 0;
+    for (const DrapedPiece& piece : made.draped) {
+        const Drape& drape = piece.drape;
+        made.places.middleCols(first, drape.places.cols()) = drape.places;
+        first += drape.places.cols();
+        made.locked += drape.locked;
+        made.met += drape.met;
+        made.cut_ends += drape.cut_ends;
+        if (drape.arms != DrapeOptions::Arms::geodesic) made.arms = drape.arms;
+    }
 }
 
 }  // namespace
@@ -179,8 +197,9 @@ DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& wanted) {
         try {
             options.drape.seam = sides_among(pieces[number], cuts);
             const auto piece = std::make_shared<const Guide>(std::move(pieces[number]));
-            draped.push_back(is_given ? draped_from(number, piece, options.drape, options.leave)
-                                      : draped_piece(number, piece, options, seed));
+            const auto laid_on = without_roughness(piece, options.drape.length);
+            draped.push_back(is_given ? draped_from(number, piece, laid_on, options.drape, options.leave)
+                                      : draped_piece(number, piece, laid_on, options, seed));
         } catch (const Error& error) {
             if (!refused) refused = error;
             bare.push_back({number, area, error.what()});
@@ -194,7 +213,9 @@ DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& wanted) {
     std::stable_partition(draped.begin(), draped.end(), [&](const DrapedPiece& piece) { return piece.piece == first; });
     Net net = side_by_side(draped);
     const DrapeReport report = measure_drape(surface, SurfaceTree(surface), net, options.drape.length);
-    return {std::move(net), std::move(draped), std::move(bare), report};
+    DrapedPieces made{std::move(net), std::move(draped), std::move(bare), report};
+    add_up(made);
+    return made;
 }
 
 }  // namespace chebnet

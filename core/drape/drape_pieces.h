@@ -43,11 +43,17 @@ struct DrapedPieces {
     std::vector<DrapedPiece> draped;
     std::vector<BarePiece> bare;
     DrapeReport report{};  ///< of all, on the whole surface
+
+    // As of one Drape: of all pieces together.
+    Eigen::Matrix2Xi places{};  ///< 2×V, each from the seed of its own piece
+    int locked = 0, met = 0, cut_ends = 0;
+    DrapeOptions::Arms arms = DrapeOptions::Arms::geodesic;  ///< geodesic where those of all pieces are
 };
 
 /// A net on each piece of a surface that may have been cut open (see cut_open), all with edges of one length: each lies
-/// on its piece alone, and no edge goes across a slit. Throws Error bad_option where two seeds are on one piece, and as
-/// drape() does if not one piece takes a net, or that of the curve does not.
+/// on its piece alone, without its roughness (see without_roughness), and no edge goes across a slit. Throws Error
+/// bad_option where two seeds are on one piece, and as drape() does if not one piece takes a net, or that of the curve
+/// does not.
 DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& wanted);
 
 /// Nets as one, with no vertex in common.

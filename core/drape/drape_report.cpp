@@ -3,19 +3,23 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "drape/drape.h"
 #include "drape/sample_points.h"
+#include "net/corner_edges.h"
 #include "net/measures.h"
 #include "net/rods.h"
 #include "net/topology.h"
 #include "net/triangulation.h"
 #include "surface/guide.h"
+#include "surface/height.h"
 #include "surface/middles.h"
-#include "surface/segment.h"
+#include "surface/segment_tree.h"
 
 namespace chebnet {
 
@@ -26,6 +30,8 @@ constexpr double k_sample = 0.25;
 constexpr int k_most_cuts = 64;  // of one side of a triangle
 // In L, of what is beside the surface's border: a net that ends inside it is off by a cell's diagonal at most.
 constexpr double k_beside_border = 1.5;
+// In L: how far in front of the net's border the surface is looked at, and what is beyond its border there.
+constexpr double k_ahead = 2, k_least_overhang = 1e-3;
 
 /// Calls visit(point, area) for the middles of the equal pieces of each triangle.
 template <class Visit>
@@ -65,11 +71,13 @@ public:
     Cover(const Net& net, const std::vector<Triangle>& triangles, double length)
         : m_triangles(loose(net, triangles)), m_tree(m_triangles), m_length(length) {}
 
-    bool covers(const Eigen::Vector3d& point) {
+    bool covers(const Eigen::Vector3d& point) { return is_within(m_length / 2, point); }
+
+    bool is_within(double distance, const Eigen::Vector3d& point) {
         SurfaceTree::Nearest near = m_tree.nearest_in(m_guess, point);  // which answers most
-        if (near.distance > m_length / 2) near = m_tree.nearest(point, m_guess);
+        if (near.distance > distance) near = m_tree.nearest(point, m_guess);
         m_guess = near.at.face;
-        return near.distance <= m_length / 2;
+        return near.distance <= distance;
     }
 
 private:
@@ -79,10 +87,13 @@ private:
     int m_guess = 0;
 };
 
-double coverage(const Surface& surface, const Net& net, double length) {
+/// Nothing if the net has no area.
+std::unique_ptr<Cover> cover_of(const Net& net, double length) {
     const std::vector<Triangle> triangles = triangles_with_area(net);
-    if (triangles.empty()) return 0;
-    Cover cover(net, triangles, length);
+    return triangles.empty() ? nullptr : std::make_unique<Cover>(net, triangles, length);
+}
+
+double coverage(const Surface& surface, Cover& cover, double length) {
     double covered = 0;
     for_each_sample(surface, k_sample * length, [&](const Eigen::Vector3d& point, double area) {
         if (cover.covers(point)) covered += area;
@@ -90,28 +101,52 @@ double coverage(const Surface& surface, const Net& net, double length) {
     return std::min(1.0, covered / surface.area());  // the pieces' areas are not to the last digit that of the whole
 }
 
-bool is_beside_border(const Surface& surface, const std::vector<int>& border, const Eigen::Vector3d& point,
-                      double distance) {
-    return std::any_of(border.begin(), border.end(), [&](int side) {
-        const Positions& x = surface.positions();
-        return squared_distance(point, x.col(surface.from(side)), x.col(surface.to(side))) <= distance * distance;
-    });
+/// Of each edge at the border, a vector of length 1 out of its only face, in the plane of that; zero if it has none.
+Positions outward_directions(const Net& net, const Topology& topology) {
+    const Positions& x = net.rest_positions();
+    const std::vector<int> edges = corner_edges(net, topology);
+    Positions out = Positions::Zero(3, net.edge_count());
+    for (int f = 0; f < net.face_count(); ++f) {
+        const std::span<const int> face = net.faces()[f];
+        Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+        for (const int v : face) middle += x.col(v) / static_cast<double>(face.size());
+        for (std::size_t k = 0; k < face.size(); ++k) {
+            const Eigen::Vector3d a = x.col(face[k]), along = (x.col(face[(k + 1) % face.size()]) - a).normalized();
+            const Eigen::Vector3d away = a - middle;
+            out.col(edges[net.faces().start[f] + static_cast<int>(k)]) = (away - away.dot(along) * along).normalized();
+        }
+    }
+    return out;
 }
 
-/// Of each edge, whether it is on the net's border but not beside the surface's. What lies beyond the surface's border
-/// has it for its nearest place.
-std::vector<bool> open_edges(const Surface& surface, const SurfaceTree& tree, const Net& net, double length) {
-    std::vector<int> border;
-    for (const std::vector<int>& loop : surface.boundary_loops()) border.insert(border.end(), loop.begin(), loop.end());
+/// Whether the surface goes on bare in front of an edge, though its border is near, as that of a narrow strip is
+/// everywhere.
+bool is_bare_before(const Surface& surface, const SurfaceTree& tree, Cover& cover, const Eigen::Vector3d& ahead,
+                    double length) {
+    const SurfaceTree::Nearest near = tree.nearest(ahead);
+    const bool goes_on =
+        near.distance <= length && height_at(surface, near, ahead).overhang <= k_least_overhang * length;
+    return goes_on && !cover.is_within(length, near.position);
+}
+
+/// Of each edge, whether it is on the net's border but not beside the surface's, or beside it where the surface goes on
+/// bare. What lies beyond the surface's border has it for its nearest place.
+std::vector<bool> open_edges(const Surface& surface, const SurfaceTree& tree, const Net& net, const Topology& topology,
+                             Cover* cover, double length) {
+    const SegmentTree border = border_of(surface);
+    const double beside = k_beside_border * length;
     std::vector<bool> is_open(static_cast<std::size_t>(net.edge_count()));
+    const Positions& x = net.rest_positions();
+    const Positions out = outward_directions(net, topology);
     int guess = 0;
     for (int e = 0; e < net.edge_count(); ++e) {
         if (net.edge_face_counts()[e] != 1) continue;
-        const Positions& x = net.rest_positions();
-        const SurfaceTree::Nearest near =
-            tree.nearest((x.col(net.edges()(0, e)) + x.col(net.edges()(1, e))) / 2, guess);
+        const Eigen::Vector3d middle = (x.col(net.edges()(0, e)) + x.col(net.edges()(1, e))) / 2;
+        const SurfaceTree::Nearest near = tree.nearest(middle, guess);
         guess = near.at.face;
-        is_open[e] = !is_beside_border(surface, border, surface.position_at(near.at), k_beside_border * length);
+        is_open[e] =
+            !(border.nearest(surface.position_at(near.at)).squared_distance <= beside * beside) ||
+            (cover != nullptr && is_bare_before(surface, tree, *cover, middle + k_ahead * length * out.col(e), length));
     }
     return is_open;
 }
@@ -134,8 +169,8 @@ int runs_of(const std::vector<bool>& is_open, const Topology& topology) {
 }
 
 void add_open_border(const Surface& surface, const SurfaceTree& tree, const Net& net, const Topology& topology,
-                     DrapeReport& report) {
-    const std::vector<bool> is_open = open_edges(surface, tree, net, report.length);
+                     Cover* cover, DrapeReport& report) {
+    const std::vector<bool> is_open = open_edges(surface, tree, net, topology, cover, report.length);
     for (int e = 0; e < net.edge_count(); ++e)
         if (is_open[e]) report.open_border += net.rest_lengths()[e];
     report.gaps = runs_of(is_open, topology);
@@ -192,13 +227,12 @@ double part_sheared(const std::vector<AngleRange>& cells, double shear) {
 }  // namespace
 
 double sampled_coverage(const Surface& surface, const Net& net, std::optional<double> length) {
-    const std::vector<Triangle> triangles = triangles_with_area(net);
-    if (triangles.empty()) return 0;
-    Cover cover(net, triangles, length_of_most(net, length));
+    const std::unique_ptr<Cover> cover = cover_of(net, length_of_most(net, length));
+    if (!cover) return 0;
     double covered = 0, area = 0;
     for (const SamplePoint& sample : sample_points(surface, std::max(1, surface.face_count() / k_samples))) {
         area += sample.area;
-        if (cover.covers(surface.position_at(sample.at))) covered += sample.area;
+        if (cover->covers(surface.position_at(sample.at))) covered += sample.area;
     }
     return area > 0 ? covered / area : 0;
 }
@@ -223,8 +257,9 @@ DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const
     const GuideDistance distance = distance_to(surface, tree, net, x);
     report.mean_distance = distance.mean;
     report.largest_distance = distance.largest;
-    report.coverage = coverage(surface, net, report.length);
-    add_open_border(surface, tree, net, topology, report);
+    const std::unique_ptr<Cover> cover = cover_of(net, report.length);
+    report.coverage = cover ? coverage(surface, *cover, report.length) : 0;
+    add_open_border(surface, tree, net, topology, cover.get(), report);
     const std::vector<AngleRange> cells = whole_cells(net, report.length);
     report.whole_cells = static_cast<int>(std::ssize(cells));
     report.smallest_angle = std::numbers::pi;

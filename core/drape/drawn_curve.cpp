@@ -4,13 +4,16 @@
 #include <cmath>
 #include <limits>
 
+#include "base/error.h"
 #include "surface/surface_cut.h"
 
 namespace chebnet {
 
 DrawnCurve::DrawnCurve(const Surface& surface, const SurfaceTree& tree, const Positions& points)
     : m_chain(cut_path(surface, cut_line(surface, tree, points, "the curve"), "the curve")),
-      m_is_closed(segments() > 1 && m_chain.col(0) == m_chain.col(segments())) {}
+      m_is_closed(segments() > 1 && m_chain.col(0) == m_chain.col(segments())) {
+    if (segments() == 0) throw Error(ErrorCode::bad_option, "the drawn curve has no length");
+}
 
 DrawnCurve::Place DrawnCurve::nearest(const Eigen::Vector3d& point) const {
     Place best{0, m_chain.col(0)};

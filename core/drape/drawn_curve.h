@@ -12,7 +12,7 @@ namespace chebnet {
 class DrawnCurve {
 public:
     /// Through `points` (3×N), joined by shortest paths; see cut_line and cut_path. Closed where the last is the first
-    /// again. Throws Error bad_option, non_finite as these do.
+    /// again. Throws Error bad_option, non_finite as these do, and bad_option where all points are one.
     DrawnCurve(const Surface& surface, const SurfaceTree& tree, const Positions& points);
 
     /// A place on it.

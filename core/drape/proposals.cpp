@@ -60,32 +60,6 @@ Positions far_apart(const Positions& samples, const Eigen::Vector3d& first) {
     return places;
 }
 
-/// The first, and others in the middles of parts of about one size (Lloyd 1982): the ends of a surface are no good
-/// beginning.
-Positions spread_over(const Surface& surface, const Eigen::Vector3d& first) {
-    const Positions samples = samples_of(surface);
-    Positions places = far_apart(samples, first);
-    for (int step = 0; step < k_lloyd_steps; ++step) {
-        Positions sums = Positions::Zero(3, k_seeds);
-        Eigen::VectorXd counts = Eigen::VectorXd::Zero(k_seeds);
-        for (int k = 0; k < samples.cols(); ++k) {
-            const int nearest = nearest_of(places, k_seeds, samples.col(k));
-            sums.col(nearest) += samples.col(k);
-            counts[nearest] += 1;
-        }
-        for (int k = 1; k < k_seeds; ++k)
-            if (counts[k] > 0) places.col(k) = sums.col(k) / counts[k];
-    }
-    return places;
-}
-
-/// A vector in the plane that touches the surface, so many radians from where the x axis lies.
-Eigen::Vector3d direction_at(const Eigen::Vector3d& normal, double angle) {
-    const Eigen::Vector3d axis = std::abs(normal.x()) > 0.9 ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
-    const Eigen::Vector3d u = (axis - axis.dot(normal) * normal).normalized();
-    return std::cos(angle) * u + std::sin(angle) * normal.cross(u);
-}
-
 /// Of its faces, some of which a border may have cut.
 double area_of(const Net& net) {
     double area = 0;
@@ -140,7 +114,7 @@ using Directions = std::vector<Eigen::Vector3d>;
 Directions directions_at(const Eigen::Vector3d& normal) {
     Directions directions;
     for (int k = 0; k < k_directions; ++k)
-        directions.push_back(direction_at(normal, k * std::numbers::pi / 2 / k_directions));
+        directions.push_back(direction_in_surface(normal, k * std::numbers::pi / 2 / k_directions));
     return directions;
 }
 
@@ -172,7 +146,7 @@ std::vector<DrapeProposal> best_at_each(const Surface& surface, const SurfaceTre
 std::vector<DrapeProposal> proposals_for(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options,
                                          const std::optional<Eigen::Vector3d>& given) {
     check_drape(surface, options);
-    const Positions places = spread_over(surface, suggested_drape(surface, tree, k_trial_cells).seed);
+    const Positions places = places_to_begin(surface, suggested_drape(surface, tree, k_trial_cells).seed);
     std::vector<DrapeProposal> proposals =
         best_at_each(surface, tree, options, places, DrapeOptions::Border::inside, given);
     // What is narrower than two cells has room for none but across its border.
@@ -191,6 +165,29 @@ std::vector<DrapeProposal> proposals_for(const Surface& surface, const SurfaceTr
 }
 
 }  // namespace
+
+Positions places_to_begin(const Surface& surface, const Eigen::Vector3d& first) {
+    const Positions samples = samples_of(surface);
+    Positions places = far_apart(samples, first);
+    for (int step = 0; step < k_lloyd_steps; ++step) {
+        Positions sums = Positions::Zero(3, k_seeds);
+        Eigen::VectorXd counts = Eigen::VectorXd::Zero(k_seeds);
+        for (int k = 0; k < samples.cols(); ++k) {
+            const int nearest = nearest_of(places, k_seeds, samples.col(k));
+            sums.col(nearest) += samples.col(k);
+            counts[nearest] += 1;
+        }
+        for (int k = 1; k < k_seeds; ++k)
+            if (counts[k] > 0) places.col(k) = sums.col(k) / counts[k];
+    }
+    return places;
+}
+
+Eigen::Vector3d direction_in_surface(const Eigen::Vector3d& normal, double angle) {
+    const Eigen::Vector3d axis = std::abs(normal.x()) > 0.9 ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
+    const Eigen::Vector3d u = (axis - axis.dot(normal) * normal).normalized();
+    return std::cos(angle) * u + std::sin(angle) * normal.cross(u);
+}
 
 double DrapeProposal::worth() const {
     return covered - k_much_shear_weight * much_sheared - k_shear_weight * shear * shear -

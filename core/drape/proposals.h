@@ -33,4 +33,12 @@ std::vector<DrapeProposal> propose_seeds(const Surface& surface, const SurfaceTr
 /// takes a net. Throws Error bad_option or non_finite as check_drape does.
 DrapeOptions with_best_direction(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options);
 
+/// Eight places on a surface: the first as given, the others in the middles of parts of about one size (Lloyd 1982),
+/// for the ends of a surface are no good beginning.
+Positions places_to_begin(const Surface& surface, const Eigen::Vector3d& first);
+
+/// A vector in the plane that touches the surface, so many radians from where the x axis lies there, or the y axis
+/// where that stands upright.
+Eigen::Vector3d direction_in_surface(const Eigen::Vector3d& normal, double angle);
+
 }  // namespace chebnet

@@ -104,12 +104,9 @@ SurfaceTree::Nearest Slits::descended(const Eigen::Vector3d& point, int from) co
             if (here.weights[k] == 0) continue;
             // All triangles around the corners between which the point is.
             if ((here.weights.array() == 0).count() == 0) break;
-            const int first = m_surface.first_side(m_surface.triangles()(k, here.face));
-            for (int side = first; side >= 0;) {
+            for (const int side : m_surface.sides_around(m_surface.triangles()(k, here.face))) {
                 const SurfaceTree::Nearest next = m_tree.nearest_in(Surface::face_of(side), point);
                 if (next.distance < best.distance) best = next, is_better = true;
-                side = m_surface.around(side);
-                if (side == first) break;
             }
         }
     }

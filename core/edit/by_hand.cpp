@@ -46,11 +46,12 @@ struct Editor::ByHand {
 /// Draws handles from where the last net has them, or if those are their places, the rest shape; once in a solve. What
 /// it has come to is kept for where that leads nowhere. False if neither is a net to begin with.
 bool Editor::take_in_hand() {
-    m_may_take_in_hand = false;
-    m_by_hand = std::make_shared<ByHand>();
-    m_by_hand->before = m_positions;
-    m_by_hand->until = m_iterations + std::min(k_most_by_hand, (m_options.max_iterations - m_iterations) / 2);
-    return take_in_hand(m_net_before) || take_in_hand(m_net->rest_positions());
+    m_run.may_take_in_hand = false;
+    m_run.by_hand = std::make_shared<ByHand>();
+    m_run.by_hand->before = m_positions;
+    m_run.by_hand->until =
+        m_run.iterations + std::min(k_most_by_hand, (m_options.max_iterations - m_run.iterations) / 2);
+    return take_in_hand(m_run.net_before) || take_in_hand(m_net->rest_positions());
 }
 
 /// From where a net has them. False if this is no net, or has all of them in place.
@@ -61,28 +62,28 @@ bool Editor::take_in_hand(const Positions& from) {
         m_hand.take(handle.vertex, Hand::Owner::solve);
     }
     if (m_hand.is_empty()) return false;
-    m_positions = from;
-    m_by_hand->way.set_handles(HeldVertices(m_net->vertex_count(), m_hand.vertices(), {}), *m_topology);
+    stand_at(from);
+    m_run.by_hand->way.set_handles(HeldVertices(m_net->vertex_count(), m_hand.vertices(), {}), *m_topology);
     draw_a_step();
     return true;
 }
 
 /// Pulls what is in hand, from where it stands, as far as a walk goes in a step.
 void Editor::draw_a_step() {
-    auto& [before, until, way, goals, since, found] = *m_by_hand;
+    auto& [before, until, way, goals, since, found] = *m_run.by_hand;
     Positions to = m_positions;
     for (int vertex : m_hand.vertices()) to.col(vertex) = m_handles[m_handle_at[vertex]].target;
     way.begin(m_positions, to, m_net->mean_length());
     way.go_to(way.next());
     goals = way.walked() < 1 ? Positions(m_positions + way.moves_to(way.walked(), m_positions)) : to;
-    since = m_iterations;
+    since = m_run.iterations;
     hold_back(true);
 }
 
 /// Where a handle is to be now.
 Eigen::Vector3d Editor::goal(const Handle& handle) const {
-    const bool is_on_step = draws_handles() && m_hand.holds(handle.vertex) && m_by_hand->way.walked() < 1;
-    return is_on_step ? Eigen::Vector3d(m_by_hand->goals.col(handle.vertex)) : handle.target;
+    const bool is_on_step = draws_handles() && m_hand.holds(handle.vertex) && m_run.by_hand->way.walked() < 1;
+    return is_on_step ? Eigen::Vector3d(m_run.by_hand->goals.col(handle.vertex)) : handle.target;
 }
 
 /// After a solve that has taken handles in hand itself has ended. What has given way to the pull of a step is held at
@@ -90,18 +91,18 @@ Eigen::Vector3d Editor::goal(const Handle& handle) const {
 bool Editor::goes_on_by_hand(SolveReport& report) {
     const bool is_net = max_deviation(*m_net, m_positions) < m_options.threshold;
     if (is_net && m_hand.holds_back() && is_nearly_there()) {
-        m_by_hand->since = m_iterations;
+        m_run.by_hand->since = m_run.iterations;
         hold_back(false);
         return true;
     }
     const bool is_held = is_net && !m_hand.holds_back(), is_stuck = report.status == Status::unreachable;
-    const bool may_draw = m_iterations > m_by_hand->since && m_iterations < m_by_hand->until;
+    const bool may_draw = m_run.iterations > m_run.by_hand->since && m_run.iterations < m_run.by_hand->until;
     if (is_held && is_stuck && may_draw) {
         draw_a_step();
         return true;
     }
-    if (is_held && !is_stuck && m_by_hand->way.walked() < 1) {
-        m_by_hand->way.go_to(1);
+    if (is_held && !is_stuck && m_run.by_hand->way.walked() < 1) {
+        m_run.by_hand->way.go_to(1);
         return true;
     }
     return goes_on_without_hand(is_held && has_all_in_place(), report);
@@ -110,13 +111,13 @@ bool Editor::goes_on_by_hand(SolveReport& report) {
 /// Where handles that were taken in hand have not arrived, or the net came out crumpled all the same, it is looked for
 /// by its lengths alone.
 bool Editor::goes_on_without_hand(bool has_arrived, SolveReport& report) {
-    const bool is_last = m_iterations >= m_options.max_iterations;
+    const bool is_last = m_run.iterations >= m_options.max_iterations;
     if (has_arrived && is_last) report.status = Status::exact;
-    if (has_arrived && (is_last || !folds_more(*m_net, m_net_before, m_positions))) {
+    if (has_arrived && (is_last || !folds_more(*m_net, m_run.net_before, m_positions))) {
         empty_hand();
         return false;
     }
-    if (has_arrived) m_by_hand->found = {report.status, m_positions, energy()};
+    if (has_arrived) m_run.by_hand->found = {report.status, m_positions, energy()};
     give_up_by_hand();
     m_unit_positions = in_unit(m_positions);
     return true;
@@ -125,22 +126,30 @@ bool Editor::goes_on_without_hand(bool has_arrived, SolveReport& report) {
 /// What it had come to before it took handles in hand.
 void Editor::give_up_by_hand() {
     empty_hand();
-    m_positions = m_by_hand->before;
+    stand_at(m_run.by_hand->before);
+}
+
+/// Where handles hold, but for those in hand, and those that slide have come to stand. A budget may run out before the
+/// method moves the net from there.
+void Editor::stand_at(const Positions& positions) {
+    m_positions = positions;
+    for (Handle& handle : m_handles)
+        if (handle.is_exact()) handle.follow(m_positions.col(handle.vertex));
 }
 
 /// What comes by while another net is looked for is none.
 void Editor::show_found_net() {
-    if (!m_by_hand || !m_by_hand->found) return;
-    m_positions = m_by_hand->found->positions;
+    if (!m_run.by_hand || !m_run.by_hand->found) return;
+    m_positions = m_run.by_hand->found->positions;
     snap_held();
 }
 
 /// After a solve that looked for a net by its lengths alone, too: that of less energy stays.
 void Editor::take_better_net(SolveReport& report) {
-    if (!m_by_hand || !m_by_hand->found || energy() < m_by_hand->found->energy) return;
-    m_positions = m_by_hand->found->positions;
+    if (!m_run.by_hand || !m_run.by_hand->found || energy() < m_run.by_hand->found->energy) return;
+    m_positions = m_run.by_hand->found->positions;
     m_unit_positions = in_unit(m_positions);
-    report.status = m_by_hand->found->status;
+    report.status = m_run.by_hand->found->status;
     begin_solve(report.trace);  // the method knows it again
     store_positions();
 }
@@ -155,17 +164,11 @@ double Editor::deviation_with_hand_at_targets() const {
     return max_deviation(*m_unit_net, x);
 }
 
-bool Editor::has_all_in_place() const {
-    return std::all_of(m_handles.begin(), m_handles.end(), [&](const Handle& handle) {
-        return !handle.is_exact() || handle.holds_at(m_positions.col(handle.vertex));
-    });
-}
-
 /// The status of what take_in_hand() took, while it is under way: a step has its end.
 Status Editor::status_by_hand() const {
-    const bool has_time =
-        m_iterations - m_by_hand->since < k_most_of_a_step && (!m_hand.holds_back() || m_iterations < m_by_hand->until);
-    return has_time || m_by_hand->way.walked() == 1 ? Status::running : Status::exact;
+    const bool has_time = m_run.iterations - m_run.by_hand->since < k_most_of_a_step &&
+                          (!m_hand.holds_back() || m_run.iterations < m_run.by_hand->until);
+    return has_time || m_run.by_hand->way.walked() == 1 ? Status::running : Status::exact;
 }
 
 /// Of the method's last net; infinite where it has found none.

@@ -14,11 +14,12 @@
 namespace chebnet {
 
 class Guide;
+class Method;
 
 /// A vertex that is held at a point: exactly, or softly by a pull beside which the net keeps its edges and its shape. A
-/// soft handle's weight is finite and above 0; an edge has the weight 1 (see Pull). An exact handle may slide: it holds
-/// some coordinates and leaves the others, one or two, to the net; there its target follows the vertex. Methods that do
-/// not know this (Method::knows_slides()) hold it where it stands.
+/// soft handle's weight is finite and above 0, and counts as k_most_pull at most; an edge has the weight 1 (see Pull).
+/// An exact handle may slide: it holds some coordinates and leaves the others, one or two, to the net; there its target
+/// follows the vertex. Methods that do not know this (Heeds::slides) hold it where it stands.
 struct Handle {
     int vertex;
     Eigen::Vector3d target;
@@ -68,5 +69,21 @@ struct EditState {
 
     bool operator==(const EditState&) const = default;
 };
+
+/// Throws Error non_finite.
+void check_target(int vertex, const Eigen::Vector3d& target);
+/// Throws Error bad_option where a handle is soft and the method, of this name, keeps all of them exactly.
+void check_softness(const std::vector<Handle>& handles, const Method& method, const std::string& name);
+/// Throws Error index_out_of_range for a wrong size, non_finite.
+void check_positions(const Net& net, const Positions& positions);
+/// Throws Error bad_option unless the radius is above 0, index_out_of_range; and as check_positions() does.
+void check_locality(const Net& net, const Locality& locality);
+/// The same for a whole state that is to be solved by the method; throws as Editor::set_handles() does, too.
+void check_state(const Net& net, const EditState& state, const Method& method);
+
+/// Puts exact handles to their targets.
+void snap(std::vector<Handle>& handles, Positions& positions);
+/// The state in the form of Editor::state(): exact handles at their targets, no locality where everything may move.
+void normalise(EditState& state);
 
 }  // namespace chebnet

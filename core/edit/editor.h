@@ -9,10 +9,13 @@
 #include <string_view>
 #include <vector>
 
+#include "base/stopwatch.h"
 #include "edit/edit_state.h"
 #include "edit/hand.h"
 #include "edit/handle_graph.h"
+#include "edit/holds.h"
 #include "edit/locality.h"
+#include "edit/reach.h"
 #include "edit/taut_lines.h"
 #include "net/net.h"
 #include "net/topology.h"
@@ -22,20 +25,6 @@
 #include "solve/trace.h"
 
 namespace chebnet {
-
-/// Two vertices that no net can hold: they are to stand farther apart than the net between them is long.
-struct UnreachablePair {
-    int vertex_a, vertex_b;  ///< exact handles; b may also be a vertex outside the region that may move
-    double distance;         ///< between where they are to stand
-    double reach;            ///< length of the shortest path along edges between the vertices
-};
-
-/// The points no farther than `radius` from `centre`, where a vertex is held.
-struct Ball {
-    int vertex;
-    Eigen::Vector3d centre;
-    double radius;
-};
 
 /// How much one call of Editor::solve may do.
 struct Budget {
@@ -78,11 +67,13 @@ public:
     EditState state() const;
     /// Goes to such a state, of this editor or of another of the same net; exact handles then snap to their targets. If
     /// it is the present one, nothing changes and a solve under way goes on. Symbolic work survives if method,
-    /// initialisation, handles and what may move are as before. If the lengths change and the positions are the present
-    /// ones, these grow with them about the middle of the handles, and everything may move again. Throws as the
-    /// functions below do, each of which but move_handle() sets the present state with one thing changed, and then
-    /// changes nothing.
+    /// initialisation, handles and what may move are as before. Throws as the functions below do, and then changes
+    /// nothing.
     void set_state(EditState next);
+    /// The same for the present state with some of it changed, as the functions below set it, all but move_handle():
+    /// if the lengths change and the positions do not, these grow with them about the middle of the handles, and
+    /// everything may move again.
+    void change_state(EditState changed);
 
     /// Replaces the handles; everything may move again. What slides begins where its vertex is, whatever its target
     /// says along its axes. Throws Error index_out_of_range, repeated_vertex, non_finite, or bad_option for a weight
@@ -99,7 +90,9 @@ public:
     /// where no net is known, it is move_handle(). Throws as that does, and bad_option for no axes.
     void drag_handle(int vertex, const Eigen::Vector3d& target, Axes along = k_all_axes);
     /// Lets go of what is in hand: at the end of the solve under way, or of the next, handles that are held back take
-    /// the place where they stand as their target. Any other change of the state lets go at once.
+    /// the place where they stand as their target. Where all handles are to be home, as the rest shape has them, that
+    /// solve ends in the rest shape, unless a hand found the net in another one there. Any other change of the state
+    /// lets go at once.
     void release_handles() { m_hand.release(); }
     /// Whether handles in hand are held back now.
     bool holds_back() const { return m_hand.holds_back() && !draws_handles(); }
@@ -140,9 +133,10 @@ public:
     /// very far it is stretched as towards nearer ones in their direction (see near_targets), and the handle alone
     /// stands at the target. With a method that goes from net to net, handles to which no way leads are drawn there as
     /// by a hand, as long as iterations are left for it; where that leads nowhere, or to a net that is crumpled, one is
-    /// looked for by its lengths alone, and of two the one of less energy stays. Throws Error too_large if the method
-    /// needs more memory for a net of this size than is allowed or there (see k_most_factor_bytes); then the positions
-    /// stay, and another method may do.
+    /// looked for by its lengths alone, and of two the one of less energy stays. A net that has its handles in place is
+    /// not given up: where none is come to from it, it is taken back. Throws Error too_large if the method needs more
+    /// memory for a net of this size than is allowed or there (see k_most_factor_bytes); then the positions stay, and
+    /// another method may do.
     SolveReport solve(const Budget& budget = {});
 
     /// Pairs of exact handles that do not slide, farther apart than the net allows, worst first, and such a handle with
@@ -169,19 +163,20 @@ public:
     double handle_error() const;
 
 private:
+    // What is in hand is in in_hand.cpp and by_hand.cpp, a run of the solver in editor_run.cpp, all else in editor.cpp.
     const Handle* find_handle(int vertex) const;
     std::size_t place_of_handle(int vertex) const;
     void replace_handles(std::vector<Handle> handles);
     void replace_region(std::optional<Region> region);
     std::optional<Region> region_of(const std::optional<Locality>& locality) const;
+    void go_to(EditState next, bool lets_net_grow);
+    void go_to_lengths(EditState& next, bool net_grows);
+    void note_last_net(const Positions& given, bool or_one_before);
     void set_length_scale(double scale);
     Positions grown(const Positions& positions, double factor) const;
     Positions in_unit(const Positions& positions) const;
     void move(Handle& handle, const Eigen::Vector3d& target);
-    Axes axes_now(const Handle& handle) const;
-    std::vector<Slide> slides() const;
-    std::vector<int> fixed_vertices() const;
-    bool is_held(const Handle& handle) const;
+    Holds holds() const;
     Problem problem() const;
     void snap_held();
     bool is_nearly_there() const;
@@ -189,7 +184,8 @@ private:
     void hold_back(bool on);
     void hold_otherwise();
     bool goes_on_otherwise(Status status);
-    bool goes_on_sliding();
+    bool goes_on_let_go();
+    bool is_to_be_home() const;
     bool take_in_hand();
     bool take_in_hand(const Positions& from);
     void draw_a_step();
@@ -197,15 +193,16 @@ private:
     bool goes_on_by_hand(SolveReport& report);
     bool goes_on_without_hand(bool has_arrived, SolveReport& report);
     void give_up_by_hand();
+    void stand_at(const Positions& positions);
     void show_found_net();
     void take_better_net(SolveReport& report);
+    void take_back_net(SolveReport& report);
     double deviation_with_hand_at_targets() const;
     bool has_all_in_place() const;
     Status status_by_hand() const;
     double energy() const;
     void empty_hand();
     void let_go();
-    void collect_pulls();
     void prepare();
     void draw_targets_near();
     bool draw_within_reach(Eigen::Matrix3Xd& targets) const;
@@ -213,12 +210,14 @@ private:
     void load_positions();
     void store_positions();
     SolveReport go_on(const Budget& budget);
+    void begin_run(SolveReport& report);
+    void run(const Budget& budget, const Stopwatch& watch, bool has_moved, SolveReport& report);
+    bool begins_again(SolveReport& report);
+    void make_iteration(const Stopwatch& watch, SolveReport& report);
+    void end_run(SolveReport& report);
     [[noreturn]] void refuse_size(const std::string& reason);
     Status begin_solve(Trace& trace);
     Status iterate(TraceRow& row);
-    bool are_joined(int a, int b) const;
-    bool is_out_of_reach(const UnreachablePair& pair) const;
-    void add_worst_of_border(std::vector<UnreachablePair>& pairs) const;
 
     // On the heap, so that references to them survive moving the editor.
     std::shared_ptr<const Net> m_original, m_net;
@@ -232,12 +231,19 @@ private:
     mutable std::optional<HandleGraph> m_handle_graph;  // made when needed
     std::optional<Region> m_region;                     // none: everything may move
     Hand m_hand;
-    // Of the solve under way: whether it may take handles in hand itself; what it knows since it has; and the last net
-    // before it.
-    bool m_may_take_in_hand = false;
     struct ByHand;
-    std::shared_ptr<ByHand> m_by_hand;  // null: it has not
-    Positions m_net_before;
+    // The solve under way, or the last one.
+    struct Run {
+        bool may_take_in_hand = false;    // whether it may take handles in hand itself
+        std::shared_ptr<ByHand> by_hand;  // what it knows since it has; null: it has not
+        Positions net_before;             // the last net before it
+        Positions begun_in_place;         // where it began with a net that had all handles in place; or empty
+        bool stops_short = false;  // what is in hand walks as far as the handles' distances let it, not to the end
+        bool reachable = true;     // as far as the handles' distances tell
+        int iterations = 0;
+        double elapsed_ms = 0;
+    };
+    Run m_run;
     // For the solve under way, in the solver's unit:
     Positions m_unit_positions, m_unit_last_net;
     Eigen::Matrix3Xd m_near_targets;  // of the handles, see near_targets()
@@ -251,12 +257,8 @@ private:
     std::unique_ptr<Method> m_method;
     Initialisation m_initialisation;
     std::shared_ptr<const Guide> m_guide;
-    bool m_prepared = false;     // method and initialisation know which vertices are fixed
-    bool m_running = false;      // a solve is under way
-    bool m_stops_short = false;  // what is in hand walks to where the handles' distances let it, and has farther to go
-    bool m_reachable = true;     // as far as the handles' distances tell, for the solve under way
-    int m_iterations = 0;        // of the solve under way
-    double m_elapsed_ms = 0;     // likewise
+    bool m_prepared = false;  // method and initialisation know which vertices are fixed
+    bool m_running = false;   // a solve is under way
 };
 
 }  // namespace chebnet

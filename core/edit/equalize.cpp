@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/number.h"
 #include "base/stopwatch.h"
 #include "edit/resting_near.h"
 #include "net/measures.h"
@@ -21,13 +20,13 @@ namespace chebnet {
 
 namespace {
 
-constexpr const char* k_threshold = "1e-9";  // k_equal_deviation as the text of an option
+constexpr std::pair<EqualizeWay, const char*> k_ways[] = {
+    {EqualizeWay::usual, ""}, {EqualizeWay::at_rest, "equilibrium"}, {EqualizeWay::lengths, "projection"}};
 // The first attempt may use up all rounds of springs and some steps of the method's last resort, which is slow on large
 // nets; from there, shaking succeeds in a fraction of the time if anything does.
-constexpr const char* k_first_iterations = "150";
-constexpr const char* k_second_iterations = "300";
-// Coming to rest makes it little fairer in the end.
-constexpr const char* k_iterations_to_rest = "30";
+constexpr int k_first_iterations = 150;
+constexpr int k_second_iterations = 300;
+constexpr int k_iterations_to_rest = 30;  // more make it little fairer
 // What holds vertices where they were in the original: enough for the net not to slide over its surface.
 constexpr double k_anchor_weight = 0.02;
 // How far a vertex is shaken at most, in edge lengths: far enough to leave a plane for good, and no farther than a
@@ -35,6 +34,11 @@ constexpr double k_anchor_weight = 0.02;
 constexpr double k_shake = 0.2;
 constexpr double k_most_growth = 1e6;  // or shrinkage, by a length that is given
 constexpr std::size_t k_most_worst_edges = 8;
+
+EqualizeWay usual_way(const Net& original, const EqualizeOptions& options) {
+    const bool is_small = original.vertex_count() <= k_most_vertices_at_rest;
+    return options.guide || is_small ? EqualizeWay::at_rest : EqualizeWay::lengths;
+}
 
 double chosen_length(const Net& original, const EqualizeOptions& options) {
     if (options.choice != EqualLength::given) return original.mean_length();
@@ -106,6 +110,19 @@ std::vector<int> worst_edges(const Eigen::VectorXd& ratios) {
 
 }  // namespace
 
+const char* to_string(EqualizeWay way) {
+    for (const auto& [each, method] : k_ways)
+        if (each == way) return method;
+    return "";
+}
+
+EqualizeWay equalize_way_named(std::string_view method) {
+    for (const auto& [way, name] : k_ways)
+        if (method == name) return way;
+    throw Error(ErrorCode::bad_option,
+                "a mesh is equalised by equilibrium or by projection, not by " + std::string(method));
+}
+
 Equalizer::Equalizer(Net original, EqualizeOptions options)
     : m_original(std::move(original)),
       m_options(std::move(options)),
@@ -115,14 +132,13 @@ Equalizer::Equalizer(Net original, EqualizeOptions options)
       m_surface(m_options.guide ? in_unit(m_original.mean_length(), m_options.guide) : surface_of(m_editor.net())),
       m_best_deviation(std::numeric_limits<double>::infinity()),
       m_positions(m_original.rest_positions()) {
-    if (m_options.method.empty())
-        m_options.method = m_options.guide ? "equilibrium" : usual_method(m_original.vertex_count());
+    if (m_options.way == EqualizeWay::usual) m_options.way = usual_way(m_original, m_options);
     check_options();
     begin_lengths();
     const bool is_equal = !comes_near_guide() && deviation_from_length() < k_equal_deviation;
     if (is_equal && keeps_limit())
         m_status = Status::converged;
-    else if (m_options.method == "equilibrium" && begin_fair())
+    else if (m_options.way == EqualizeWay::at_rest && begin_fair())
         take_near_surface(m_fair->positions());
     else if (is_equal)
         m_status = Status::exact;
@@ -133,18 +149,17 @@ Equalizer::Equalizer(Net original, EqualizeOptions options)
 void Equalizer::check_options() const {
     if (m_options.choice == EqualLength::fitting && !m_options.handles.empty())
         throw Error(ErrorCode::bad_option, "a net with handles cannot choose its fitting length: they fix its size");
-    if (m_options.method != "equilibrium" && m_options.method != "projection")
-        throw Error(ErrorCode::bad_option,
-                    "a mesh is equalised by equilibrium or by projection, not by " + m_options.method);
     if (!(m_options.shear_limit >= 0 && m_options.shear_limit <= std::numbers::pi / 3))
         throw Error(ErrorCode::bad_option, "the limit of corners must be an angle from 0 to 60 degrees");
 }
 
 void Equalizer::begin_lengths() {
     m_stage = Stage::lengths;
-    m_editor.set_method("projection");
-    m_editor.set_option("threshold", k_threshold);
-    m_editor.set_option("max_iterations", k_first_iterations);
+    EditState state = m_editor.state();
+    state.method = "projection";
+    state.options.threshold = k_equal_deviation;
+    state.options.max_iterations = k_first_iterations;
+    m_editor.change_state(std::move(state));
     hold_handles();
 }
 
@@ -203,17 +218,26 @@ bool Equalizer::begin_fair() {
     if (!m_surface || !m_editor.unreachable_pairs().empty()) return false;
     m_unit = keeps_size() ? m_length / m_original.mean_length() : 1;
     const Net& net = m_editor.net();
+    const FairStart::Options options{.fixed = m_options.handles,
+                                     .pulls = anchors(),
+                                     .unit = m_unit,
+                                     .shear_limit = m_options.shear_limit,
+                                     .size = fitting_size()};
     try {
         m_fair =
-            std::make_unique<FairStart>(net, m_editor.topology(), *m_surface, net.rest_positions() / m_unit,
-                                        FairStart::Options{m_options.handles, anchors(), m_unit, m_options.shear_limit,
-                                                           m_options.choice == EqualLength::fitting});
+            std::make_unique<FairStart>(net, m_editor.topology(), *m_surface, net.rest_positions() / m_unit, options);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::too_large) throw;
         return false;
     }
     m_stage = Stage::fair;
     return true;
+}
+
+/// Near a guide the net need not lie where the original does.
+FairStart::Size Equalizer::fitting_size() const {
+    if (m_options.choice != EqualLength::fitting) return FairStart::Size::kept;
+    return m_options.guide ? FairStart::Size::by_lengths : FairStart::Size::by_places;
 }
 
 /// In the unit of the net near the surface.
@@ -246,8 +270,10 @@ void Equalizer::begin_rest() {
     std::vector<Handle> handles;
     for (int v : m_options.handles) handles.push_back({v, m_fair->positions().col(v)});
     for (const Pull& pull : anchors()) handles.push_back({pull.vertex, pull.target, pull.weight});
-    m_at_rest->set_handles(handles);
-    m_at_rest->set_option("max_iterations", k_iterations_to_rest);
+    EditState state = m_at_rest->state();
+    state.handles = std::move(handles);
+    state.options.max_iterations = k_iterations_to_rest;
+    m_at_rest->change_state(std::move(state));
     m_stage = Stage::rest;
 }
 
@@ -295,8 +321,10 @@ bool Equalizer::can_try_again(Status ended) const {
 
 void Equalizer::try_again() {
     m_stage = Stage::shaken;
-    m_editor.set_option("max_iterations", k_second_iterations);
-    m_editor.set_positions(shaken(m_editor.net()));
+    EditState state = m_editor.state();
+    state.options.max_iterations = k_second_iterations;
+    state.positions = shaken(m_editor.net());
+    m_editor.change_state(std::move(state));
 }
 
 /// From the editor's unit to the original's: free pieces nearest to the original, the others where their handles are.
@@ -362,19 +390,19 @@ int Equalizer::quads_beyond_limit() const {
     return sharp_quads(m_original, m_positions, m_options.shear_limit - k_limit_tolerance);
 }
 
-bool Equalizer::keeps_limit() const { return m_options.method != "equilibrium" || quads_beyond_limit() == 0; }
+bool Equalizer::keeps_limit() const { return m_options.way != EqualizeWay::at_rest || quads_beyond_limit() == 0; }
 
 /// That of the options also where it had nothing to do.
-std::string Equalizer::method() const {
-    if (m_status == Status::converged && m_iterations == 0) return m_options.method;
-    return m_stage == Stage::fair || m_stage == Stage::rest ? "equilibrium" : "projection";
+EqualizeWay Equalizer::way() const {
+    if (m_status == Status::converged && m_iterations == 0) return m_options.way;
+    return m_stage == Stage::fair || m_stage == Stage::rest ? EqualizeWay::at_rest : EqualizeWay::lengths;
 }
 
 EqualizeReport Equalizer::report() const {
     EqualizeReport report;
     report.status = m_status;
     report.length = m_length;
-    report.method = method();
+    report.way = way();
     report.iterations = m_iterations;
     report.milliseconds = m_elapsed_ms;
     report.fitting_length = m_fitting_length;

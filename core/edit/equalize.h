@@ -2,11 +2,12 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <numbers>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/angle.h"
+#include "base/enum_names.h"
 #include "edit/editor.h"
 #include "edit/fair_start.h"
 #include "net/net.h"
@@ -15,26 +16,35 @@
 
 namespace chebnet {
 
-/// Below this max dL all edges have one length: an edge is off by less than 0.0032 % of it.
-inline constexpr double k_equal_deviation = 1e-9;
-
 /// Which length all edges are to have.
 enum class EqualLength {
     mean,     ///< the mean of the original's edges
-    fitting,  ///< the one with which the result, seen as a shape of any size, lies nearest to the original
+    fitting,  ///< the one with which the result, seen as a shape of any size, lies nearest to the original; with a
+              ///< guide, that which edges near it have on the average
     given,    ///< EqualizeOptions::length
 };
 
+inline constexpr EnumName<EqualLength> k_equal_lengths[] = {
+    {"mean", EqualLength::mean}, {"fitting", EqualLength::fitting}, {"given", EqualLength::given}};
+
+/// What is asked of the net beside edges of one length.
+enum class EqualizeWay {
+    usual,    ///< that for a net of this size: with a guide, and up to k_most_vertices_at_rest, at_rest
+    at_rest,  ///< by `equilibrium`: near the surface of the original, fair, no corner too sharp
+    lengths,  ///< by `projection`: nothing
+};
+/// The name of the method; empty for the usual one.
+const char* to_string(EqualizeWay way);
+/// Throws Error bad_option, naming the methods.
+EqualizeWay equalize_way_named(std::string_view method);
+
 struct EqualizeOptions {
     EqualLength choice = EqualLength::mean;
-    double length = 0;         ///< with EqualLength::given: L
-    std::vector<int> handles;  ///< vertices that stay exactly where they are; none: the whole net is free
-    /// "equilibrium": near the surface of the original, fair, no corner too sharp; "projection": with no more than
-    /// lengths asked for; empty: the usual one for a net of this size.
-    std::string method{};
-    double shear_limit = std::numbers::pi / 6;  ///< for `equilibrium`: no corner of a quad is sharper, radians; 0: none
-    /// For `equilibrium`, which is then the usual method: the net comes near this surface, where that is, and not near
-    /// the original's own; null: near that.
+    double length = 0;           ///< with EqualLength::given: L
+    std::vector<int> handles{};  ///< vertices that stay exactly where they are; none: the whole net is free
+    EqualizeWay way = EqualizeWay::usual;
+    double shear_limit = k_usual_shear_limit;  ///< at rest no corner of a quad is sharper, radians; 0: none
+    /// At rest the net comes near this surface, where that is, and not near the original's own; null: near that.
     std::shared_ptr<const Guide> guide = nullptr;
 };
 
@@ -50,7 +60,7 @@ struct EqualizeReport {
     double max_deviation = 0;  ///< the largest dL of an edge against L
     int iterations = 0;        ///< since the beginning
     double milliseconds = 0;   ///< likewise
-    std::string method;        ///< that has made it: `projection` also where `equilibrium` found no such net
+    EqualizeWay way{};         ///< that has made it: for lengths also where none was found at rest
     /// The length of EqualLength::fitting; without freedom, L. Much larger than L if many edges were too long beside
     /// others that were too short: the net then had to crumple, which makes it smaller.
     double fitting_length = 0;
@@ -85,7 +95,7 @@ class Equalizer {
 public:
     /// Only positions and faces of the original count, not its rest lengths.
     /// Throws Error bad_option (a given length not within a factor 1e6 of the mean; fitting with handles;
-    /// another method; a limit out of range),
+    /// a limit out of range),
     /// index_out_of_range and repeated_vertex (handles), bad_scale (a guide much larger or smaller than the net).
     explicit Equalizer(Net original, EqualizeOptions options = {});
 
@@ -124,10 +134,11 @@ private:
     };
 
     void check_options() const;
-    bool comes_near_guide() const { return m_options.guide && m_options.method == "equilibrium"; }
+    bool comes_near_guide() const { return m_options.guide && m_options.way == EqualizeWay::at_rest; }
     bool begin_fair();
     void begin_rest();
     void begin_lengths();
+    FairStart::Size fitting_size() const;
     std::vector<Pull> anchors() const;
     void make_fair();
     void come_to_rest();
@@ -149,7 +160,7 @@ private:
     double deviation_from_length() const;
     int quads_beyond_limit() const;
     bool keeps_limit() const;
-    std::string method() const;
+    EqualizeWay way() const;
     EqualizeReport report() const;
     void measure(EqualizeReport& report) const;
     GuideDistance distance_from_surface() const;

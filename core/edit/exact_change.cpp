@@ -28,7 +28,7 @@ void ExactChange::begin(std::vector<int> handles) {
     options.length = m_changed.length_factor * *m_options.length;
     options.handles = std::move(handles);
     options.shear_limit = m_options.shear_limit;
-    if (m_changed.keeps_edges) options.method = "projection";
+    if (m_changed.keeps_edges) options.way = EqualizeWay::lengths;
     Net net(m_changed.mesh.positions, m_changed.mesh.faces, RestLengths::own);
     m_equalizer = std::make_unique<Equalizer>(std::move(net), std::move(options));
 }

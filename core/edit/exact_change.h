@@ -1,10 +1,10 @@
 #pragma once
 
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <vector>
 
+#include "base/angle.h"
 #include "change/change.h"
 #include "edit/equalize.h"
 
@@ -13,7 +13,7 @@ namespace chebnet {
 struct ExactChangeOptions {
     std::optional<double> length{};  ///< of all edges of the net before; none: each has its own, and keeps what it gets
     std::vector<int> held{};         ///< vertices of the net before that stay where they are, if a net is found so
-    double shear_limit = std::numbers::pi / 6;  ///< as EqualizeOptions has it
+    double shear_limit = k_usual_shear_limit;  ///< as EqualizeOptions has it
 };
 
 struct ExactChangeReport {

@@ -1,9 +1,9 @@
 #include "edit/fair_start.h"
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "base/angle.h"
 #include "net/measures.h"
 #include "solve/parts/length_projection.h"
 #include "solve/terms/bending_term.h"
@@ -21,7 +21,7 @@ constexpr double k_stiffness = 300;
 // Of bending, that of rods as they are laid: with less there are tips at singular vertices, with more lines waver.
 constexpr double k_laid = 0.5;
 // The limit aims higher by so much, since corners give way.
-constexpr double k_limit_margin = 2 * std::numbers::pi / 180;
+constexpr double k_limit_margin = 2 * k_degree;
 // In edge lengths: no vertex moves farther in a step; a step shorter than this is the last.
 constexpr double k_most_move = 0.5, k_short_step = 0.03;
 constexpr int k_most_steps = 40, k_most_projections = 25;
@@ -68,17 +68,38 @@ void FairStart::set_pulls(std::vector<Pull> pulls) {
 bool FairStart::step() {
     const double L = m_net.mean_length();
     const double moved = m_descent.step(m_terms, k_most_move * L, m_positions);
-    if (m_options.fits) fit();
+    if (m_options.size == Size::by_lengths) fit_lengths();
+    if (m_options.size == Size::by_places) fit_places();
     return ++m_steps < k_most_steps && moved > k_short_step * L;
 }
 
-void FairStart::fit() {
-    const double ratio = edge_ratios(m_net, m_positions).mean();
-    if (std::abs(ratio - 1) <= k_much_growth) return;
+/// All stays where it is.
+void FairStart::set_unit(double unit) {
+    const double ratio = unit / m_options.unit;
     m_positions /= ratio;
     for (Pull& pull : m_options.pulls) pull.target /= ratio;
-    m_options.unit *= ratio;
+    m_options.unit = unit;
     choose_terms();
+}
+
+void FairStart::fit_lengths() {
+    const double ratio = edge_ratios(m_net, m_positions).mean();
+    if (std::abs(ratio - 1) > k_much_growth) set_unit(ratio * m_options.unit);
+}
+
+/// By least squares over the vertices of all pieces, each of which grows about its centre, and its edges with it.
+void FairStart::fit_places() {
+    Positions centres(3, m_positions.cols());
+    for (const std::vector<int>& piece : m_topology.components()) {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (const int v : piece) sum += m_positions.col(v);
+        for (const int v : piece) centres.col(v) = sum / static_cast<double>(piece.size());
+    }
+    const Positions shape = m_positions - centres;
+    const double ratio = shape.cwiseProduct(m_laid).sum() / (m_options.unit * shape.squaredNorm());
+    if (!(ratio > 0) || std::abs(ratio - 1) <= k_much_growth) return;
+    set_unit(ratio * m_options.unit);
+    m_positions = shape + centres / ratio;
 }
 
 bool FairStart::make_exact(double threshold) {

@@ -19,12 +19,18 @@ namespace chebnet {
 /// What is nearly fair and nearly exact crumples no more.
 class FairStart {
 public:
+    /// What becomes of the net's unit.
+    enum class Size {
+        kept,
+        by_lengths,  ///< it changes so that edges have their lengths on the average
+        by_places,   ///< it changes so that the net, as a shape of any size, lies nearest to where it began
+    };
     struct Options {
         std::vector<int> fixed;   ///< vertices that stay where they are
         std::vector<Pull> pulls;  ///< of others, in the net's unit
         double unit = 1;          ///< of the net, in the guide's
         double shear_limit = 0;   ///< radians; 0: none
-        bool fits = false;        ///< the unit changes so that edges have their lengths on the average
+        Size size = Size::kept;
         Rods rods = Rods::straight;
         double tip_weight = 0;  ///< of TipTerm, beside bending that weighs 1
     };
@@ -45,7 +51,9 @@ public:
 
 private:
     void choose_terms();
-    void fit();
+    void set_unit(double unit);
+    void fit_lengths();
+    void fit_places();
 
     const Net& m_net;
     const Topology& m_topology;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <string>
 #include <utility>
 
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "net/measures.h"
+#include "solve/parts/corner_limit.h"
 
 namespace chebnet {
 
@@ -41,6 +41,7 @@ LengthAdapter::LengthAdapter(const Editor& editor, const std::vector<Handle>& wa
         if (handle.is_exact()) handle.target = start.positions.col(handle.vertex);
     m_editor.set_state(std::move(start));
     m_net = m_editor.state();
+    find_pairs();
     bound_scale();
     if (m_smallest > m_largest && !(deviation(m_smallest / m_largest) < m_options.threshold))
         m_status = Status::unreachable;
@@ -61,19 +62,41 @@ void LengthAdapter::want(const std::vector<Handle>& wanted) {
     }
 }
 
+/// Those of handles that do not slide and, where any does, those with one that does among all exact ones.
+void LengthAdapter::find_pairs() {
+    const auto add_pairs = [this](const HandleGraph& graph, bool pinned) {
+        for (int i = 0; i < graph.size(); ++i)
+            for (const auto& [j, reach] : graph.neighbours(i))
+                if (const Pair pair{i, j, reach}; i < j && is_pinned(pair) == pinned) m_pairs.push_back(pair);
+    };
+    add_pairs(m_editor.handle_graph(), true);
+    const auto slides = [](const Handle& handle) { return handle.slides != k_no_axes; };
+    if (std::none_of(m_wanted.begin(), m_wanted.end(), slides)) return;
+    std::vector<int> vertices;
+    for (const Handle& handle : m_wanted) vertices.push_back(handle.is_exact() ? handle.vertex : -1);
+    add_pairs(HandleGraph(m_editor.net(), m_editor.topology(), vertices), false);
+}
+
+bool LengthAdapter::is_pinned(const Pair& pair) const {
+    return m_wanted[pair.a].is_pinned() && m_wanted[pair.b].is_pinned();
+}
+
+/// Of the coordinates that both hold.
+double LengthAdapter::distance(const Pair& pair, const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+    return across(m_wanted[pair.a].slides | m_wanted[pair.b].slides, a - b).stableNorm();
+}
+
 /// By pairs of handles: no path between two is shorter than their distance, and the edge between two that are joined is
 /// as long.
 void LengthAdapter::bound_scale() {
-    const HandleGraph& graph = m_editor.handle_graph();
     double strain = 1;
-    for (int i = 0; i < graph.size(); ++i)
-        for (const auto& [j, reach] : graph.neighbours(i)) {
-            const double ratio = (m_wanted[i].target - m_wanted[j].target).stableNorm() / reach;
-            strain = std::max(strain, ratio);
-            const auto joined = m_editor.topology().neighbours(m_wanted[i].vertex);
-            if (std::binary_search(joined.begin(), joined.end(), m_wanted[j].vertex))
-                m_largest = std::min(m_largest, ratio * m_options.length_scale);
-        }
+    for (const Pair& pair : m_pairs) {
+        const double ratio = distance(pair, m_wanted[pair.a].target, m_wanted[pair.b].target) / pair.reach;
+        strain = std::max(strain, ratio);
+        const auto joined = m_editor.topology().neighbours(m_wanted[pair.a].vertex);
+        if (is_pinned(pair) && std::binary_search(joined.begin(), joined.end(), m_wanted[pair.b].vertex))
+            m_largest = std::min(m_largest, ratio * m_options.length_scale);
+    }
     m_smallest = strain * m_options.length_scale;
 }
 
@@ -85,7 +108,7 @@ void LengthAdapter::begin(Trial trial, double scale, const EditState& from) {
     grown.options.length_scale = scale;
     if (trial == Trial::dip) grown.options.max_iterations = std::min(m_options.max_iterations, k_most_iterations);
     m_editor.set_state(from);
-    m_editor.set_state(std::move(grown));
+    m_editor.change_state(std::move(grown));
     for (const Handle& handle : m_wanted)
         if (handle.is_exact()) m_editor.drag_handle(handle.vertex, handle.target);
 }
@@ -104,7 +127,7 @@ void LengthAdapter::iterate() {
     const Status status = m_editor.solve({.iterations = 1}).status;
     ++m_iterations;
     if (m_trial == Trial::rest)
-        m_status = status == Status::running ? status : Status::converged;
+        end_rest(status);
     else if (is_there())
         end_well();
     else if (m_trial == Trial::walk && m_editor.holds_back())
@@ -113,18 +136,14 @@ void LengthAdapter::iterate() {
         end_badly();
 }
 
-CornerLimit LengthAdapter::limit() const {
-    if (m_options.shear_limit == 0) return CornerLimit();
-    return CornerLimit(m_editor.net(), m_options.shear_limit * std::numbers::pi / 180);
-}
-
 bool LengthAdapter::is_there() const {
     const Positions& x = m_editor.positions();
     const auto stands = [&](const Handle& handle) {
         return !handle.is_exact() || handle.holds_at(x.col(handle.vertex));
     };
-    return std::all_of(m_wanted.begin(), m_wanted.end(), stands) && max_deviation(m_editor.net(), x) < k_exact &&
-           limit().largest_lack(x) <= 2 * CornerLimit::k_tolerance;
+    return std::all_of(m_wanted.begin(), m_wanted.end(), stands) &&
+           max_deviation(m_editor.net(), x) < m_editor.options().threshold &&
+           corner_limit(m_editor.net(), m_options).is_kept(x);
 }
 
 void LengthAdapter::end_well() {
@@ -157,7 +176,9 @@ void LengthAdapter::end_badly() {
         return;
     }
     const double growth = std::max(shortfall(), 1 + std::ldexp(k_least_growth, m_failures++));
-    begin(Trial::rise, std::min(growth * m_smallest, m_largest), m_editor.state());
+    // Where the last trial has come to no net, none leads on from there.
+    const bool is_net = max_deviation(m_editor.net(), m_editor.positions()) < m_editor.options().threshold;
+    begin(Trial::rise, std::min(growth * m_smallest, m_largest), is_net ? m_editor.state() : m_net);
 }
 
 void LengthAdapter::begin_dip() {
@@ -170,22 +191,28 @@ void LengthAdapter::begin_rest() {
     m_editor.set_state(m_net);
 }
 
+/// What was found is kept where it has come to nothing better.
+void LengthAdapter::end_rest(Status status) {
+    if (status == Status::running) return;
+    if (!is_there()) m_editor.set_state(m_net);
+    m_status = Status::converged;
+}
+
 /// By how much the handles that hold others back stand too close to them.
 double LengthAdapter::shortfall() const {
-    const HandleGraph& graph = m_editor.handle_graph();
-    const auto distance = [](const auto& a, const auto& b) { return (a - b).stableNorm(); };
     double largest = 1, greatest_strain = 0;
-    const auto each_pair = [&](const auto& visit) {
-        for (int i = 0; i < graph.size(); ++i)
-            for (const auto& [j, reach] : graph.neighbours(i)) {
-                const double wanted = distance(m_wanted[i].target, m_wanted[j].target);
-                visit(m_wanted[i].vertex, m_wanted[j].vertex, wanted, wanted / reach);
-            }
+    const auto each_pinned = [this](const auto& visit) {
+        for (const Pair& pair : m_pairs) {
+            const Handle &a = m_wanted[pair.a], &b = m_wanted[pair.b];
+            const double wanted = distance(pair, a.target, b.target);
+            if (is_pinned(pair)) visit(a.vertex, b.vertex, wanted, wanted / pair.reach);
+        }
     };
-    each_pair([&](int, int, double, double strain) { greatest_strain = std::max(greatest_strain, strain); });
+    each_pinned([&](int, int, double, double strain) { greatest_strain = std::max(greatest_strain, strain); });
     const Positions& x = m_editor.positions();
-    each_pair([&](int a, int b, double wanted, double strain) {
-        if (strain >= k_strained * greatest_strain) largest = std::max(largest, wanted / distance(x.col(a), x.col(b)));
+    each_pinned([&](int a, int b, double wanted, double strain) {
+        if (strain >= k_strained * greatest_strain)
+            largest = std::max(largest, wanted / (x.col(a) - x.col(b)).stableNorm());
     });
     return largest;
 }

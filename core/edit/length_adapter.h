@@ -5,7 +5,6 @@
 
 #include "edit/edit_state.h"
 #include "edit/editor.h"
-#include "solve/parts/corner_limit.h"
 #include "solve/trace.h"
 
 namespace chebnet {
@@ -25,7 +24,8 @@ struct AdaptReport {
 /// In the unit of a larger scale the net is the same and its handles are closer to each other: `equilibrium` takes them
 /// there from net to net, beginning with the last net of the editor, and where it cannot, holds them back. By how much
 /// they then are too close says which scale to try next. The first is max |t_i − t_j| / d_ij over pairs of handles (see
-/// HandleGraph), since no net has a smaller one. Between a scale that does and one that does not, intervals are halved.
+/// HandleGraph), since no net has a smaller one; where one of them slides, of the coordinates alone that both hold.
+/// Between a scale that does and one that does not, intervals are halved.
 class LengthAdapter {
 public:
     /// The scale found is larger than the smallest by this part at most, as far as nets are found.
@@ -55,13 +55,22 @@ private:
         rest,  ///< the scale is found, and the net comes to rest
     };
 
+    /// Two exact handles, by their places, and the length of the shortest path between them.
+    struct Pair {
+        int a, b;
+        double reach;
+    };
+
     void want(const std::vector<Handle>& wanted);
+    void find_pairs();
+    double distance(const Pair& pair, const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+    bool is_pinned(const Pair& pair) const;
     void bound_scale();
     void begin(Trial trial, double scale, const EditState& from);
     void begin_dip();
     void begin_rest();
+    void end_rest(Status status);
     void iterate();
-    CornerLimit limit() const;
     bool is_there() const;
     void end_well();
     void end_walk();
@@ -72,6 +81,7 @@ private:
     std::string m_method;          // of the other editor
     Options m_options;             // likewise
     std::vector<Handle> m_wanted;  // all handles, where they are to stand
+    std::vector<Pair> m_pairs;     // that bound each other directly
     Trial m_trial = Trial::rise;
     double m_scale = 1;                              // of the trial
     double m_smallest, m_largest = k_largest_scale;  // no other scale does

@@ -13,6 +13,9 @@ namespace {
 constexpr std::size_t k_most_rounds = 4;
 // A line that turns by no more than this, as a cosine, stays nearly straight on a straight way of its ends.
 constexpr double k_least_turn = 0.9;
+// A line is torn if it is to be longer by more than this part: the usual threshold takes edges that are a thousandth
+// too long for those of a net.
+constexpr double k_tear = 2e-3;
 
 }  // namespace
 
@@ -29,6 +32,7 @@ std::vector<TautVertex> TautLines::find(const Net& net, const Topology& topology
                                         std::vector<bool> avoided, const Positions& positions,
                                         const Positions& last_net, double nearness) {
     m_steps_left = k_most_steps;
+    m_is_torn = false;
     const double longest = edge_ratios(net, last_net).maxCoeff();
     Eigen::Matrix3Xd ends = targets;
     std::vector<TautVertex> found;
@@ -52,7 +56,9 @@ std::vector<TautVertex> TautLines::find(const Net& net, const Topology& topology
         for (int a = 0; a < between.size(); ++a)
             for (const auto& [b, length] : between.neighbours(a)) {
                 if (b < a || vertices[a] < 0 || vertices[b] < 0) continue;
-                if (!((ends.col(a) - ends.col(b)).norm() >= (1 - k_slack) * length)) continue;
+                const double distance = (ends.col(a) - ends.col(b)).norm();
+                if (!(distance >= (1 - k_slack) * length)) continue;
+                m_is_torn |= distance > (1 + k_tear) * length;
                 const Line* found_line = line(net, topology, round, a, b, length, last_net, longest);
                 if (found_line == nullptr) continue;
                 const std::vector<TautVertex>& inside = found_line->inside;

@@ -42,6 +42,9 @@ public:
 
     /// Of other handles, or another net.
     void forget() { m_rounds.clear(); }
+    /// Whether there was a line in the last find() whose ends are farther apart than it is long: no net has all in
+    /// place.
+    bool is_torn() const { return m_is_torn; }
     /// Of none of the lines that pass a vertex of `avoided` (V). `vertices`: of the handles, −1 for one that pulls
     /// nothing straight; `targets`: 3 × handles, where they are to be; `graph`: of these handles. Lines of which a
     /// vertex is farther than `nearness` from its place at `positions` are left out, since the net is not there yet;
@@ -67,6 +70,7 @@ private:
 
     std::vector<Round> m_rounds;
     int m_steps_left = 0;
+    bool m_is_torn = false;
 };
 
 }  // namespace chebnet

@@ -29,6 +29,10 @@ public:
     /// the true Hessian.
     virtual EdgeCurvature curvature(double r) const = 0;
 
+    /// The slope where an edge deviates by so little (see deviation()), beside that of a quadratic energy, whose slopes
+    /// tell how near it is to its minimum: so much less is a slope that is as near. 1 for energies with f″(1) > 0.
+    virtual double relative_slope(double /*deviation*/) const { return 1; }
+
     /// The true Hessian of f. Where f falls with r, its tangential weight is negative.
     EdgeCurvature hessian(double r) const { return {second_derivative(r), slope(r) / r}; }
 };

@@ -23,4 +23,8 @@ double LengthPowerEnergy::second_derivative(double r) const {
     return m_p * (m_p - 1) * std::pow(std::max(std::abs(r - 1), m_p < 2 ? k_nearest : 0), m_p - 2);
 }
 
+double LengthPowerEnergy::relative_slope(double deviation) const {
+    return m_p > 2 ? m_p / 2 * std::pow(std::sqrt(deviation), m_p - 2) : 1;
+}
+
 }  // namespace chebnet

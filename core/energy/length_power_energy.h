@@ -17,6 +17,9 @@ public:
     /// (the split of eq. 13). Since f is convex in r, it is the positive part of the true Hessian.
     EdgeCurvature curvature(double r) const override { return positive_part(hessian(r)); }
 
+    /// Beside (r − 1)², which is |r − 1|^p with p = 2.
+    double relative_slope(double deviation) const override;
+
 private:
     double m_p;
 };

@@ -10,7 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "net/measures.h"
+#include "net/cell_sides.h"
+#include "net/corner_edges.h"
 #include "net/rods.h"
 
 namespace chebnet {
@@ -21,8 +22,7 @@ using Reason = PatternFault::Reason;
 using Place = Eigen::Vector2d;  // column, row
 
 constexpr double k_equal = 1e-6;  // of a whole edge
-constexpr double k_nearly_equal = 0.01;
-constexpr int k_apart = 2;  // squares between pieces
+constexpr int k_apart = 2;        // squares between pieces
 
 /// To the left, or with turn −1 to the right.
 Place turned(const Place& direction, int turn) { return turn * Place(-direction.y(), direction.x()); }
@@ -32,17 +32,16 @@ Place turned(const Place& direction, int turn) { return turn * Place(-direction.
 /// that end, cut, on the boundary.
 class Sides {
 public:
-    Sides(const Net& net, const Topology& topology) : m_net(net), m_faces_of_edge(net.edge_count(), {-1, -1}) {
-        const auto& faces = net.faces();
+    Sides(const Net& net, const Topology& topology)
+        : m_net(net), m_edge(corner_edges(net, topology)), m_faces_of_edge(net.edge_count(), {-1, -1}) {
         for (int f = 0; f < net.face_count(); ++f)
             for (int k = 0; k < count(f); ++k) {
-                m_edge.push_back(topology.edge_between(vertex(f, k), vertex(f, k + 1)));
-                std::array<int, 2>& both = m_faces_of_edge[m_edge[faces.start[f] + k]];
+                std::array<int, 2>& both = m_faces_of_edge[edge(f, k)];
                 both[both[0] == -1 ? 0 : 1] = f;
             }
         for (int e = 0; e < net.edge_count(); ++e) m_has_between = m_has_between || is_between(e);
-        const double whole = whole_length(net), tolerance = whole_edge_tolerance(net, topology, whole);
-        m_is_of_rod = rod_edges(net, topology, whole);
+        const double whole = whole_length(net), tolerance = whole_edge_tolerance(net, whole);
+        m_cell_side = cell_sides(net, topology, whole);
         m_lengths = net.rest_lengths() / whole;
         for (double& length : m_lengths)
             if (std::abs(length - 1) <= tolerance) length = 1;
@@ -66,16 +65,10 @@ public:
         while (this->edge(face, k) != edge) ++k;
         return k;
     }
-    /// Not a side that joins the ends of two rods across what is left of a cell. On the boundary these can be told
-    /// apart where they are whole; one that is cut there is not known for a rod (see Layout::put_ends).
-    bool is_rod(int face, int k) const {
-        if (is_between(edge(face, k))) return true;
-        if (length(face, k) != 1 || !m_is_of_rod[edge(face, k)]) return false;
-        if (count(face) != 4) return true;
-        // Between rods that are cut nearly alike its ends are theirs.
-        const double step = std::abs(length(face, k + 3) - length(face, k + 1));
-        return step <= k_equal || step >= k_nearly_equal;
-    }
+    /// Not a rim, which joins the ends of two rods across what is left of a cell.
+    bool is_rod(int face, int k) const { return is_between(edge(face, k)) || cell_side(face, k) != k_rim; }
+    /// Of its cell, on which the side lies; of a rod k_rim where nothing says so.
+    int cell_side(int face, int k) const { return m_cell_side[m_net.faces().start[face] + k % count(face)]; }
     bool has_rods_only(int face) const {
         for (int k = 0; k < count(face); ++k)
             if (!is_rod(face, k)) return false;
@@ -121,7 +114,7 @@ private:
     std::vector<int> m_edge;                          // of each side
     std::vector<std::array<int, 2>> m_faces_of_edge;  // the second is −1 on the boundary
     Eigen::VectorXd m_lengths;                        // of each edge
-    std::vector<bool> m_is_of_rod;                    // likewise
+    std::vector<int> m_cell_side;                     // of each side
     bool m_has_between = false;
 };
 
@@ -150,6 +143,7 @@ public:
           m_places(2, net.vertex_count()),
           m_piece(static_cast<std::size_t>(net.vertex_count()), k_nowhere),
           m_turn(static_cast<std::size_t>(net.face_count()), 0),
+          m_square(m_turn.size()),
           m_is_found(m_turn.size(), false) {}
 
     std::variant<FlatPattern, PatternFault> spread() {
@@ -194,9 +188,11 @@ private:
         if (!put(m_sides.vertex(seed, k), {0, 0})) return misplaced(m_sides.vertex(seed, k));
         if (!put(m_sides.vertex(seed, k + 1), {1, 0})) return misplaced(m_sides.vertex(seed, k + 1));
         if (const auto fault = lay_from(seed, k)) return fault;
+        for (const int face : faces)
+            if (is_laid(face))
+                if (const auto fault = put_across(face)) return fault;
         for (const int face : faces) {
-            if (!is_laid(face)) return misfit(face);
-            if (const auto fault = put_ends(face)) return fault;
+            if (!is_laid(face) || !is_complete(face)) return misfit(face);
             if (const auto fault = find_gape(face)) return fault;
         }
         return std::nullopt;
@@ -260,38 +256,74 @@ private:
                 return misplaced(m_sides.vertex(face, j - 1));
         }
         const Place within = (place(face, k) + place(face, k + 1)) / 2 + k_inside * inwards;
-        const auto column = static_cast<int>(std::floor(within.x())), row = static_cast<int>(std::floor(within.y()));
-        if (!m_taken.emplace(column, row).second) return PatternFault{.reason = Reason::overlap, .face = face};
-        return std::nullopt;
+        m_square[face] = within.array().floor();
+        if (!m_taken.emplace(m_square[face].x(), m_square[face].y()).second)
+            return PatternFault{.reason = Reason::overlap, .face = face};
+        return put_across(face);
     }
 
-    /// Of the two sides at an end on the boundary, whether the first is its rod and the other goes across what is left
-    /// of the cell. That leads to the end of another rod, if one beside them is shorter: the farther end of a rod that
-    /// is cut is no corner of a cell. Else it is longer, as a hypotenuse, or as it goes from one side of the cell to
-    /// the other.
-    bool is_rod_first(int face, int k) const {
-        const double before = m_sides.length(face, k - 2), behind = m_sides.length(face, k + 1);
-        if (std::abs(before - behind) > k_equal) return before > behind;
-        return m_sides.length(face, k - 1) <= m_sides.length(face, k);
-    }
-
-    /// The ends of rods that are cut and run along the boundary, the next cell being left out: at right angles to a rod
-    /// beside it.
-    std::optional<PatternFault> put_ends(int face) {
+    /// Of a face with two rims, what is at the opposite corner of its cell.
+    std::optional<PatternFault> put_across(int face) {
         const int count = m_sides.count(face);
+        if (laid_side_of(face) < 0) return std::nullopt;
         for (int k = count; k < 2 * count; ++k) {
             if (has_place(face, k)) continue;
-            const bool has_before = has_rod(face, k - 2), has_behind = has_rod(face, k + 1);
-            const bool is_before = has_before && (!has_behind || is_rod_first(face, k));
-            const double length = m_sides.length(face, is_before ? k - 1 : k);
-            if ((!has_before && !has_behind) || length > 1 + k_equal) return misfit(face);
-            const Place step = is_before ? turned(direction(face, k - 2), m_turn[face])
-                                         : Place(-turned(direction(face, k + 1), -m_turn[face]));
-            const int from = is_before ? k - 1 : k + 1;
-            if (!put(m_sides.vertex(face, k), place(face, from) + length * step))
-                return misplaced(m_sides.vertex(face, k));
+            const std::optional<Place> corner = corner_of_cell(face, k);
+            if (corner && !put(m_sides.vertex(face, k), *corner)) return misplaced(m_sides.vertex(face, k));
+        }
+        for (int k = 0; k < count; ++k) {
+            if (m_sides.cell_side(face, k) == k_rim || has_place(face, k) == has_place(face, k + 1)) continue;
+            const Place step = m_sides.length(face, k) * direction_of_cell_side(face, k);
+            const bool put_next = has_place(face, k);
+            const int v = m_sides.vertex(face, put_next ? k + 1 : k);
+            if (!put(v, put_next ? Place(place(face, k) + step) : Place(place(face, k + 1) - step)))
+                return misplaced(v);
         }
         return std::nullopt;
+    }
+
+    /// If two rods meet there, or if it lies across from such a corner.
+    std::optional<Place> corner_of_cell(int face, int k) const {
+        const int count = m_sides.count(face);
+        const auto has_rod_side = [&](int side) { return m_sides.cell_side(face, side) != k_rim; };
+        const auto is_corner = [&](int corner) { return has_rod_side(corner - 1) && has_rod_side(corner); };
+        if (is_corner(k)) return end_of_cell_side(face, k - 1);
+        for (int other = k + 2; other < k + count - 1; ++other) {
+            if (!is_corner(other)) continue;
+            const Place across = 2 * middle_of(face) - end_of_cell_side(face, other - 1);
+            const auto ends_there = [&](int side) { return (end_of_cell_side(face, side) - across).norm() < k_equal; };
+            if (has_rod_side(k - 1) && !ends_there(k - 1)) return std::nullopt;
+            if (has_rod_side(k) && ends_there(k)) return std::nullopt;
+            return across;
+        }
+        return std::nullopt;
+    }
+    Place middle_of(int face) const { return m_square[face] + Place(0.5, 0.5); }
+
+    /// A rod of the face that lies, where it is known on which side of the cell; −1: there is none.
+    int laid_side_of(int face) const {
+        for (int k = 0; k < m_sides.count(face); ++k)
+            if (m_sides.cell_side(face, k) != k_rim && has_rod(face, k)) return k;
+        return -1;
+    }
+
+    /// By that.
+    Place direction_of_cell_side(int face, int k) const {
+        const int laid = laid_side_of(face);
+        Place step = direction(face, laid);
+        const int turns = m_sides.cell_side(face, k) - m_sides.cell_side(face, laid);
+        for (int i = 0; i < (turns + 4) % 4; ++i) step = turned(step, m_turn[face]);
+        return step;
+    }
+    Place end_of_cell_side(int face, int k) const {
+        const Place along = direction_of_cell_side(face, k);
+        return middle_of(face) + (along + turned(along, -m_turn[face])) / 2;
+    }
+
+    bool is_complete(int face) const {
+        for (int k = 0; k < m_sides.count(face); ++k)
+            if (!has_place(face, k)) return false;
+        return true;
     }
 
     /// A face has its place by the rod over which it was come to; others of it may have come round to another. Its rods
@@ -384,6 +416,7 @@ private:
     int m_piece_count = 0;
     std::vector<Place> m_low;      // of each piece, as it was laid
     std::vector<int> m_turn;       // of each face: 1 if its corners are left turns, −1 if right; 0: not laid yet
+    std::vector<Place> m_square;   // of each face that is laid: the low corner of the square on which it lies
     std::vector<bool> m_is_found;  // of each face: it is known in which piece it is
     std::set<std::pair<int, int>> m_taken;  // squares on which a face of the piece lies
 };

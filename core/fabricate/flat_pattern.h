@@ -41,8 +41,9 @@ const char* to_string(PatternFault::Reason reason);
 /// Lays the faces as squares in the plane, each beside one before it. Rows count upwards, and the first face of each
 /// piece that has a whole rod is seen from its front. Where rods are cut at a border (see drape/border_cut.h) each
 /// keeps its length, and the edges between their ends become as long as that makes them. Pieces lie in lines as words
-/// do, two squares apart, about as wide as high in all. Rest lengths nearer to that of whole edges than
-/// whole_edge_tolerance() are that, and those across a strip one cell wide that was cut alike are one length.
+/// do, two squares apart, about as wide as high in all. What is a rod and what a rim says cell_sides(). Rest lengths
+/// nearer to that of whole edges than whole_edge_tolerance() are that, and those across a strip one cell wide that was
+/// cut alike are one length.
 std::variant<FlatPattern, PatternFault> flat_pattern(const Net& net, const Topology& topology);
 
 }  // namespace chebnet

@@ -169,6 +169,29 @@ void check_range(const Positions& positions) {
                         "vertex " + std::to_string(v) + " has a coordinate that is too large for STL");
 }
 
+template <class Coordinates>
+bool is_point(const Coordinates& coordinates, const Triangle& triangle) {
+    const auto& [a, b, c] = triangle;
+    return coordinates.col(a) == coordinates.col(b) && coordinates.col(b) == coordinates.col(c);
+}
+
+/// Of a net that is very small, or very far from the origin beside its size, floats leave nothing: no triangle has more
+/// than one place, though some had.
+void check_precision(const Positions& positions, const std::vector<Triangle>& triangles) {
+    const Eigen::Matrix3Xf written = positions.cast<float>();
+    const auto is_left = [&](const Triangle& triangle) { return !is_point(written, triangle); };
+    const auto was_more = [&](const Triangle& triangle) { return !is_point(positions, triangle); };
+    if (std::any_of(triangles.begin(), triangles.end(), is_left)) return;
+    const auto lost = std::find_if(triangles.begin(), triangles.end(), was_more);
+    if (lost != triangles.end()) {
+        const auto& [a, b, c] = *lost;
+        throw Error(ErrorCode::bad_scale, "vertices " + std::to_string(a) + ", " + std::to_string(b) + " and " +
+                                              std::to_string(c) +
+                                              " become one in STL, as do those of all triangles: coordinates have 7 "
+                                              "digits there, and none below 1e-45");
+    }
+}
+
 /// `vector` with the length 1, however small it is; 0 remains 0.
 Eigen::Vector3d direction_of(const Eigen::Vector3d& vector) {
     const double largest = vector.cwiseAbs().maxCoeff();
@@ -193,6 +216,7 @@ Mesh read_stl(std::string_view bytes, std::string_view name) {
 std::string write_stl(const Positions& positions, const Faces& faces) {
     check_range(positions);
     const std::vector<Triangle> triangles = triangulated(positions, faces);
+    check_precision(positions, triangles);
     // The first 80 bytes are free, but must not begin with "solid", as STL as text does.
     std::string bytes = "binary STL";
     bytes.resize(80, ' ');

@@ -20,7 +20,7 @@ Mesh read_stl(std::string_view bytes, std::string_view name);
 /// Writes binary STL: triangles without shared vertices, coordinates as floats, so that a net does not come back as it
 /// was. A quad is cut along its shorter diagonal, unless only the other leaves it without a fold; a face of more
 /// vertices is cut into a fan from its first, which suits convex ones. Throws Error too_large for a coordinate beyond
-/// the range of a float.
+/// the range of a float, bad_scale where the corners of a triangle are one as floats, which they were not.
 std::string write_stl(const Positions& positions, const Faces& faces);
 
 constexpr FormatInfo k_stl = {"stl",

@@ -38,6 +38,18 @@ inline constexpr int k_row_multiple = 4;
 
 inline int round_up(int n, int multiple) { return (n + multiple - 1) / multiple * multiple; }
 
+/// Entries of a factor in single precision below this part of their column's pivot are taken as 0: they are far below
+/// its rounding, and where they decay, as away from each vertex of a regular grid, their products would be numbers so
+/// small that processors take a hundred times as long for each.
+inline constexpr float k_negligible_part = 1e-16F;
+
+// Once for all widths of strips: a page loads this code before its first net.
+template <typename Scalar>
+__attribute__((noinline)) void drop_negligible(Scalar* entries, int count, Scalar pivot) {
+    const Scalar limit = k_negligible_part * pivot;
+    for (int i = 0; i < count; ++i) entries[i] = std::abs(entries[i]) < limit ? Scalar(0) : entries[i];
+}
+
 /// C −= A Bᵀ for one block: C has `vectors` registers of `lanes` rows and `width` columns, A the same rows, B `width`
 /// rows, both `depth` columns. With a lower triangular `diagonal` (width × width, leading dimension width) also solves
 /// X diagonalᵀ = C.
@@ -120,6 +132,9 @@ bool factor_strip(Scalar* panel, int ld, int rows, int j) {
     block_column<width>(below, panel + j * ld + first, ld, panel + first, ld, panel + j, ld, j, diagonal);
     for (int c = 0; c < width; ++c)
         for (int r = c; r < width; ++r) panel[(j + c) * ld + j + r] = diagonal[c * width + r];
+    if constexpr (sizeof(Scalar) == sizeof(float))
+        for (int c = 0; c < width; ++c)
+            drop_negligible(panel + (j + c) * ld + j + c + 1, rows - j - c - 1, diagonal[c * width + c]);
     return true;
 }
 

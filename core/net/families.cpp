@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 
+#include "net/corner_edges.h"
 #include "net/topology.h"
 
 namespace chebnet {
@@ -14,14 +14,12 @@ using Quad = std::array<int, 4>;  // its edges, one after another
 
 /// None if a face is no quad.
 std::optional<std::vector<Quad>> edges_of_quads(const Net& net) {
-    const Topology topology(net);
+    for (int f = 0; f < net.face_count(); ++f)
+        if (net.faces()[f].size() != 4) return std::nullopt;
+    const std::vector<int> edges = corner_edges(net, Topology(net));
     std::vector<Quad> quads;
-    for (int f = 0; f < net.face_count(); ++f) {
-        const std::span<const int> face = net.faces()[f];
-        if (face.size() != 4) return std::nullopt;
-        Quad& quad = quads.emplace_back();
-        for (int k = 0; k < 4; ++k) quad[k] = topology.edge_between(face[k], face[(k + 1) % 4]);
-    }
+    for (std::size_t k = 0; k < edges.size(); k += 4)
+        quads.push_back({edges[k], edges[k + 1], edges[k + 2], edges[k + 3]});
     return quads;
 }
 

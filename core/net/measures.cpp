@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "net/corner_edges.h"
+
 namespace chebnet {
 
 namespace {
@@ -137,7 +139,8 @@ int sharp_quads(const Net& net, const Positions& positions, double angle) {
 
 int sharp_folds(const Net& net, const Positions& positions, double angle) {
     const std::vector<double> folds = fold_angles(net, positions);
-    return static_cast<int>(std::count_if(folds.begin(), folds.end(), [&](double fold) { return fold > angle; }));
+    return static_cast<int>(
+        std::count_if(folds.begin(), folds.end(), [&](double fold) { return fold > angle + k_limit_tolerance; }));
 }
 
 std::vector<double> fold_angles(const Net& net, const Positions& positions) {
@@ -145,7 +148,7 @@ std::vector<double> fold_angles(const Net& net, const Positions& positions) {
         Eigen::Vector3d normal;
         bool is_forward;
     };
-    const Topology topology(net);
+    const std::vector<int> edges = corner_edges(net, Topology(net));
     std::vector<std::optional<Side>> firsts(static_cast<std::size_t>(net.edge_count()));
     std::vector<double> folds;
     for (int f = 0; f < net.face_count(); ++f) {
@@ -156,14 +159,15 @@ std::vector<double> fold_angles(const Net& net, const Positions& positions) {
             normal += (positions.col(face[k]) - positions.col(face[0]))
                           .cross(positions.col(face[k + 1]) - positions.col(face[0]));
         for (std::size_t k = 0; k < face.size(); ++k) {
-            const int a = face[k], b = face[(k + 1) % face.size()];
-            std::optional<Side>& first = firsts[topology.edge_between(a, b)];
+            const int edge = edges[net.faces().start[f] + static_cast<int>(k)];
+            const bool is_forward = face[k] == net.edges()(0, edge);
+            std::optional<Side>& first = firsts[edge];
             if (!first) {
-                first = {normal, a < b};
+                first = {normal, is_forward};
                 continue;
             }
             // Neighbours that are wound alike run along an edge both ways.
-            const Eigen::Vector3d other = first->is_forward == (a < b) ? -first->normal : first->normal;
+            const Eigen::Vector3d other = first->is_forward == is_forward ? -first->normal : first->normal;
             folds.push_back(std::atan2(normal.cross(other).norm(), normal.dot(other)));
         }
     }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/angle.h"
 #include "net/net.h"
 #include "net/topology.h"
 
@@ -50,15 +51,15 @@ struct AngleRange {
 };
 AngleRange corner_angle_range(const Net& net, const Positions& positions);
 
-/// Corners that are so much sharper than a limit, in radians, are still at it.
-inline constexpr double k_limit_tolerance = 0.1 * std::numbers::pi / 180;
+/// Corners and folds that are beyond a limit by so much, in radians, are still at it.
+inline constexpr double k_limit_tolerance = 0.1 * k_degree;
 /// How many quads have a corner sharper than this angle, radians.
 int sharp_quads(const Net& net, const Positions& positions, double angle);
 
 /// A net that folds by more than this at an edge, radians, is crumpled there: none has to on a smooth surface.
 inline constexpr double k_fold = std::numbers::pi / 3;
 
-/// How many edges have a face on either side whose normals are farther apart than this angle, radians.
+/// How many edges have faces whose normals are farther apart than this angle, radians, by more than k_limit_tolerance.
 int sharp_folds(const Net& net, const Positions& positions, double angle);
 
 /// The angle by which the net folds at each edge between two faces, in a fixed order; 0 where it is flat.

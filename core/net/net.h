@@ -40,6 +40,8 @@ enum class RestLengths {
 /// A net whose edges deviate less than this from their mean length counts as a Chebyshev net. It is the paper's own
 /// tolerance for a result (ε_3, section 3.2), so a saved result opens as what it is.
 inline constexpr double k_chebyshev_deviation = 1e-6;
+/// Below this max dL all edges of a net that is made have one length: an edge is off by less than 0.0032 % of it.
+inline constexpr double k_equal_deviation = 1e-9;
 
 /// Beyond this size, and below its inverse, squares of lengths may overflow or underflow.
 inline constexpr double k_largest_size = 1e150;

@@ -1,36 +1,35 @@
 #include "remesh/border_distance.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 #include <vector>
 
-#include "surface/segment.h"
+#include "surface/segment_tree.h"
 
 namespace chebnet {
 
 namespace {
 
-std::vector<int> border_edges(const Net& net) {
-    std::vector<int> edges;
+SegmentTree border_of(const Net& net) {
+    std::vector<Segment> border;
     for (int e = 0; e < net.edge_count(); ++e)
-        if (net.edge_face_counts()[e] == 1) edges.push_back(e);
-    return edges;
+        if (net.edge_face_counts()[e] == 1)
+            border.push_back(
+                {net.rest_positions().col(net.edges()(0, e)), net.rest_positions().col(net.edges()(1, e))});
+    return SegmentTree(std::move(border));
 }
 
 }  // namespace
 
 double border_distance(const Surface& surface, const Net& net) {
-    const Positions &x = surface.positions(), &y = net.rest_positions();
-    const std::vector<int> edges = border_edges(net);
+    const SegmentTree border = border_of(net);
+    if (border.empty()) return 0;
+    const Positions& x = surface.positions();
     double sum = 0, length = 0;
-    for (int s = 0; s < 3 * surface.face_count() && !edges.empty(); ++s) {
+    for (int s = 0; s < 3 * surface.face_count(); ++s) {
         if (surface.opposite(s) >= 0) continue;
         const Eigen::Vector3d from = x.col(surface.from(s)), to = x.col(surface.to(s)), middle = (from + to) / 2;
-        double least = std::numeric_limits<double>::infinity();
-        for (const int e : edges)
-            least = std::min(least, squared_distance(middle, y.col(net.edges()(0, e)), y.col(net.edges()(1, e))));
-        sum += (to - from).norm() * std::sqrt(least);
+        sum += (to - from).norm() * std::sqrt(border.nearest(middle).squared_distance);
         length += (to - from).norm();
     }
     return length > 0 ? sum / length : 0;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "remesh/border_sides.h"
+#include "remesh/connection.h"
 #include "surface/surface_tree.h"
 
 namespace chebnet {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "remesh/connection.h"
+#include "remesh/wish_placer.h"
 #include "surface/surface.h"
 
 namespace chebnet {

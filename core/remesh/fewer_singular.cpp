@@ -28,9 +28,10 @@ std::vector<Unit> units_of(const Surface& surface, const DirectionField& field) 
     return units;
 }
 
-std::vector<PlacedWishes::Pin> pins_of(const std::vector<Unit>& units) {
+std::vector<PlacedWishes::Pin> pins_of(const std::vector<Unit>& units, const std::vector<bool>& is_left) {
     std::vector<PlacedWishes::Pin> pins;
-    for (const Unit& unit : units) pins.push_back({unit.vertex, unit.index});
+    for (std::size_t i = 0; i < units.size(); ++i)
+        if (is_left[i]) pins.push_back({units[i].vertex, units[i].index});
     return pins;
 }
 
@@ -45,49 +46,44 @@ std::vector<std::vector<Eigen::Vector3d>> borders_beside(const Surface& surface,
     return borders;
 }
 
-/// Two that cancel each other, or the same twice for one that goes over the border.
-struct Cancelled {
-    std::size_t i = 0, j = 0;
-    double distance = std::numeric_limits<double>::infinity();
+/// Two that can cancel each other, or the same twice for one that can go over the border.
+struct Cancelling {
+    std::size_t i, j;
+    double distance;
 };
 
-Cancelled nearest_pair(const std::vector<Unit>& units) {
-    Cancelled best;
+/// From the nearest on; of equally near ones pairs come first, and the first of both.
+std::vector<Cancelling> ways_to_cancel(const std::vector<Unit>& units,
+                                       const std::vector<std::vector<Eigen::Vector3d>>& borders) {
+    std::vector<Cancelling> ways;
     for (std::size_t i = 0; i < units.size(); ++i)
-        for (std::size_t j = i + 1; j < units.size(); ++j) {
-            const double distance = (units[i].point - units[j].point).norm();
-            if (units[i].index == units[j].index || units[i].piece != units[j].piece || !(distance < best.distance))
-                continue;
-            best = {i, j, distance};
-        }
-    return best;
-}
-
-Cancelled nearest_to_border(const std::vector<Unit>& units, const std::vector<std::vector<Eigen::Vector3d>>& borders) {
-    Cancelled best;
-    for (std::size_t i = 0; i < units.size(); ++i)
-        for (const Eigen::Vector3d& point : borders[units[i].piece]) {
-            const double distance = (units[i].point - point).norm();
-            if (distance < best.distance) best = {i, i, distance};
-        }
-    return best;
+        for (std::size_t j = i + 1; j < units.size(); ++j)
+            if (units[i].index != units[j].index && units[i].piece == units[j].piece)
+                ways.push_back({i, j, (units[i].point - units[j].point).norm()});
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Eigen::Vector3d& point : borders[units[i].piece])
+            least = std::min(least, (units[i].point - point).norm());
+        if (std::isfinite(least)) ways.push_back({i, i, least});
+    }
+    std::stable_sort(ways.begin(), ways.end(),
+                     [](const Cancelling& a, const Cancelling& b) { return a.distance < b.distance; });
+    return ways;
 }
 
 }  // namespace
 
 std::vector<std::vector<PlacedWishes::Pin>> fewer_and_fewer(const Surface& surface, const DirectionField& field,
                                                             const std::vector<bool>& held_border) {
-    std::vector<Unit> units = units_of(surface, field);
-    const std::vector<std::vector<Eigen::Vector3d>> borders = borders_beside(surface, held_border);
-    std::vector<std::vector<PlacedWishes::Pin>> result = {pins_of(units)};
-    for (;;) {
-        const Cancelled pair = nearest_pair(units), single = nearest_to_border(units, borders);
-        const auto& [i, j, distance] = pair.distance <= single.distance ? pair : single;
-        if (!std::isfinite(distance)) return result;
-        if (i != j) units.erase(units.begin() + static_cast<std::ptrdiff_t>(j));
-        units.erase(units.begin() + static_cast<std::ptrdiff_t>(i));
-        result.push_back(pins_of(units));
+    const std::vector<Unit> units = units_of(surface, field);
+    std::vector<bool> is_left(units.size(), true);
+    std::vector<std::vector<PlacedWishes::Pin>> result = {pins_of(units, is_left)};
+    for (const auto& [i, j, distance] : ways_to_cancel(units, borders_beside(surface, held_border))) {
+        if (!is_left[i] || !is_left[j]) continue;
+        is_left[i] = is_left[j] = false;
+        result.push_back(pins_of(units, is_left));
     }
+    return result;
 }
 
 }  // namespace chebnet

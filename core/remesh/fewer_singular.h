@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "remesh/connection.h"
 #include "remesh/direction_field.h"
+#include "remesh/wish_placer.h"
 #include "surface/surface.h"
 
 namespace chebnet {

@@ -4,9 +4,12 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <span>
 #include <string>
 
 #include "base/error.h"
+#include "remesh/field_cut.h"
 #include "remesh/integers.h"
 
 namespace chebnet {
@@ -20,6 +23,13 @@ constexpr double k_least_weight = 0.1;
 
 // To choose them takes time by the third power of their number, and memory by the second.
 constexpr int k_most_integers = 2000;
+// Where cells may shear, so many rounds lead to edges of one length. Each goes farther than it aims by this factor, for
+// what is left shrinks slowly. The first keep cells more open than they need be, as far as they can: so the widest and
+// the narrowest are sheared alike.
+constexpr int k_shearing_rounds = 100;
+constexpr double k_over_relaxation = 1.7;
+constexpr double k_open_cell = std::numbers::pi / 3;
+constexpr double k_settled = 1e-4;  // gradients that change less, beside a square's
 // What is to be on a line of the grid is so if the field's direction is nearer to it than this: a sine.
 constexpr double k_on_line = 0.3;
 
@@ -35,11 +45,6 @@ Component turned_component(int axis, int quarter_turns) {
     return k_components[quarter_turns][axis];
 }
 
-/// ± J^turns T of a branch's translation T.
-struct ShiftTerm {
-    int branch, turns, sign;
-};
-
 /// Coordinates of a corner: J^turns of its vertex, and shifts.
 struct Place {
     int turns = 0;
@@ -51,118 +56,6 @@ struct Place {
     }
 };
 
-/// The surface cut open along edges, so that the field has no turns but across the cut. A branch is a walk of cut edges
-/// with the same transition.
-class Cut {
-public:
-    Cut(const Surface& surface, const DirectionField& field) : m_surface(surface), m_field(field) {
-        comb();
-        prune();
-        find_branches();
-    }
-
-    int turns(int side) const { return m_turns[side]; }
-    bool is_cut(int side) const { return m_is_cut[side]; }
-    int branch_count() const { return m_branches; }
-    const std::vector<int>& face_turns() const { return m_face_turns; }
-    /// What is added beyond a side after the turn.
-    std::vector<ShiftTerm> shift(int side) const {
-        if (m_branch[side] < 0) return {};
-        if (m_is_along[side]) return {{m_branch[side], 0, 1}};
-        return {{m_branch[side], m_turns[side], -1}};
-    }
-
-private:
-    void comb() {
-        const int faces = m_surface.face_count();
-        m_face_turns.assign(static_cast<std::size_t>(faces), -1);
-        m_is_cut.assign(3 * static_cast<std::size_t>(faces), true);
-        std::vector<int> queue;
-        for (int seed = 0; seed < faces; ++seed) {
-            if (m_face_turns[seed] >= 0) continue;
-            m_face_turns[seed] = 0;
-            queue.assign(1, seed);
-            for (std::size_t k = 0; k < queue.size(); ++k)
-                for (int s = 3 * queue[k]; s < 3 * queue[k] + 3; ++s) {
-                    const int other = m_surface.opposite(s);
-                    if (other < 0 || m_face_turns[Surface::face_of(other)] >= 0) continue;
-                    m_face_turns[Surface::face_of(other)] = (m_face_turns[queue[k]] + m_field.turns[s]) % 4;
-                    m_is_cut[s] = m_is_cut[other] = false;
-                    queue.push_back(Surface::face_of(other));
-                }
-        }
-        m_turns.resize(m_is_cut.size());
-        for (int s = 0; s < static_cast<int>(m_turns.size()); ++s) {
-            const int other = m_surface.opposite(s);
-            if (other < 0) continue;
-            const int here = m_face_turns[Surface::face_of(s)], there = m_face_turns[Surface::face_of(other)];
-            m_turns[s] = (m_field.turns[s] + here - there + 4) % 4;
-        }
-    }
-
-    /// Cuts that end at a regular vertex are closed again.
-    void prune() {
-        m_degree.assign(static_cast<std::size_t>(m_surface.vertex_count()), 0);
-        for (int s = 0; s < static_cast<int>(m_is_cut.size()); ++s)
-            if (m_is_cut[s] && m_surface.opposite(s) >= 0) ++m_degree[m_surface.from(s)];
-        std::vector<int> ends;
-        for (int v = 0; v < m_surface.vertex_count(); ++v)
-            if (is_loose(v)) ends.push_back(v);
-        while (!ends.empty()) {
-            const int v = ends.back();
-            ends.pop_back();
-            if (!is_loose(v)) continue;
-            for (int s = m_surface.first_side(v);;) {
-                if (m_is_cut[s]) {
-                    m_is_cut[s] = m_is_cut[m_surface.opposite(s)] = false;
-                    --m_degree[v];
-                    --m_degree[m_surface.to(s)];
-                    if (is_loose(m_surface.to(s))) ends.push_back(m_surface.to(s));
-                    break;
-                }
-                s = m_surface.around(s);
-            }
-        }
-    }
-
-    bool is_loose(int v) const { return m_degree[v] == 1 && m_field.holonomy[v] == 0 && !m_surface.is_boundary(v); }
-
-    bool is_node(int v) const { return m_degree[v] != 2 || m_field.holonomy[v] != 0 || m_surface.is_boundary(v); }
-
-    void find_branches() {
-        m_branch.assign(m_is_cut.size(), -1);
-        m_is_along.assign(m_is_cut.size(), false);
-        for (const bool from_nodes : {true, false})
-            for (int s = 0; s < static_cast<int>(m_branch.size()); ++s)
-                if (m_is_cut[s] && m_surface.opposite(s) >= 0 && m_branch[s] < 0 &&
-                    is_node(m_surface.from(s)) == from_nodes)
-                    follow(s);
-    }
-
-    void follow(int side) {
-        for (int s = side; s >= 0 && m_branch[s] < 0;) {
-            m_branch[s] = m_branch[m_surface.opposite(s)] = m_branches;
-            m_is_along[s] = true;
-            if (is_node(m_surface.to(s))) break;
-            const int back = m_surface.opposite(s);
-            int next = m_surface.around(back);
-            while (!m_is_cut[next]) next = m_surface.around(next);
-            s = next;
-        }
-        ++m_branches;
-    }
-
-    const Surface& m_surface;
-    const DirectionField& m_field;
-    std::vector<int> m_face_turns;  // of each triangle's direction, to comb it
-    std::vector<int> m_turns;
-    std::vector<bool> m_is_cut;
-    std::vector<int> m_degree;  // of each vertex: cut edges inside of the surface
-    std::vector<int> m_branch;  // of each side
-    std::vector<bool> m_is_along;
-    int m_branches = 0;
-};
-
 /// Unknowns: two coordinates of each regular vertex, and integers: two of each branch and two of each singular vertex.
 class Fit {
 public:
@@ -172,27 +65,41 @@ public:
         place_corners();
         if (!on_lines.empty()) hold(on_lines);
         check_integers();
+        list_rows();
+        m_gradients.assign(static_cast<std::size_t>(surface.face_count()), Eigen::Matrix2d::Identity() / length);
     }
 
-    GridMap run() {
+    /// `smallest_angle`: of cells.
+    GridMap run(double smallest_angle, const std::function<void()>& go_on) {
         assemble();
         const Eigen::MatrixXi basis = integer_null_space(m_integers, m_conditions);
         const Eigen::SparseMatrix<double> N = basis.cast<double>().sparseView();
         const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(m_A);
-        const Eigen::VectorXd free = factor.solve(m_b);
         Eigen::VectorXd integers = Eigen::VectorXd::Zero(m_integers);
-        if (basis.cols() > 0) {
-            // The energy at the best real coordinates for given integers N y (Schur complement).
-            const Eigen::SparseMatrix<double> coupling = m_C * N;
-            Eigen::MatrixXd S = N.transpose() * Eigen::MatrixXd(m_D * N) -
-                                coupling.transpose() * factor.solve(Eigen::MatrixXd(coupling));
-            S = (S + S.transpose().eval()) / 2;
-            S.diagonal().array() += k_grid_shift * (1 + S.diagonal().maxCoeff());
-            integers = N * nearest_integers(S, coupling.transpose() * free - N.transpose() * m_d).cast<double>();
+        const auto reals = [&] { return Eigen::VectorXd(factor.solve(m_b - m_C * integers)); };
+        if (basis.cols() == 0) return map(reals(), integers);
+
+        // The energy at the best real coordinates for given integers N y (Schur complement).
+        const Eigen::SparseMatrix<double> coupling = m_C * N;
+        Eigen::MatrixXd S =
+            N.transpose() * Eigen::MatrixXd(m_D * N) - coupling.transpose() * factor.solve(Eigen::MatrixXd(coupling));
+        S = (S + S.transpose().eval()) / 2;
+        S.diagonal().array() += k_grid_shift * (1 + S.diagonal().maxCoeff());
+        const auto slope = [&] {
+            return Eigen::VectorXd(coupling.transpose() * factor.solve(m_b) - N.transpose() * m_d);
+        };
+        const bool shears = smallest_angle < std::numbers::pi / 2;
+        if (shears) {  // how many cells there are to be around shows while they need not be whole
+            const Eigen::LDLT<Eigen::MatrixXd> inverse(S);
+            const double open = std::max(k_open_cell, smallest_angle);
+            shear_in_rounds(go_on, [&](double part) {
+                integers = -N * inverse.solve(slope());
+                return shear(reals(), integers, std::lerp(open, smallest_angle, part));
+            });
         }
-        const Eigen::VectorXd rest = m_C * integers;
-        const Eigen::VectorXd reals = factor.solve(m_b - rest);
-        return map(reals, integers);
+        integers = N * nearest_integers(S, slope()).cast<double>();
+        if (shears) shear_in_rounds(go_on, [&](double) { return shear(reals(), integers, smallest_angle); });
+        return map(reals(), integers);
     }
 
 private:
@@ -216,18 +123,13 @@ private:
         m_places.resize(3 * static_cast<std::size_t>(m_surface.face_count()));
         for (int v = 0; v < m_surface.vertex_count(); ++v) {
             Place place;
-            int s = m_surface.first_side(v);
-            const int first = s;
-            while (s >= 0) {
+            for (const int s : m_surface.sides_around(v)) {
                 m_places[s] = place;
-                s = m_surface.around(s);
-                if (s < 0) break;
-                const int before = m_surface.opposite(s);
-                place.turn(m_cut.turns(before));
-                for (const ShiftTerm& term : m_cut.shift(before)) place.shifts.push_back(term);
-                if (s == first) break;
+                const int crossed = Surface::previous(s);
+                place.turn(m_cut.turns(crossed));
+                for (const ShiftTerm& term : m_cut.shift(crossed)) place.shifts.push_back(term);
             }
-            if (s >= 0) close(v, place);
+            if (!m_surface.is_boundary(v)) close(v, place);
         }
     }
 
@@ -372,27 +274,47 @@ private:
         return area > 0 ? std::max(k_least_weight, a.dot(b) / area) : k_least_weight;
     }
 
-    /// Σ weight · (coordinates of an edge − its components along the field)².
+    /// Of the frame of the field in a triangle, what an axis of the triangle is.
+    Component in_frame(int face, int axis) const { return turned_component(axis, (4 - m_cut.face_turns()[face]) % 4); }
+
+    /// A side in that frame.
+    Eigen::Vector2d edge_of(int side) const {
+        const int f = Surface::face_of(side);
+        const Eigen::Vector3d edge =
+            m_surface.positions().col(m_surface.to(side)) - m_surface.positions().col(m_surface.from(side));
+        const Eigen::Vector3d x = m_field.directions.col(f), y = m_surface.face_normals().col(f).cross(x);
+        return {edge.dot(x), edge.dot(y)};
+    }
+
+    /// By what coordinates change along sides.
+    void list_rows() {
+        m_row_start.assign(1, 0);
+        for (int s = 0; s < 3 * m_surface.face_count(); ++s)
+            for (int axis = 0; axis < 2; ++axis) {
+                const std::vector<Entry> to = corner(Surface::next(s), axis), from = corner(s, axis);
+                m_entries.insert(m_entries.end(), to.begin(), to.end());
+                for (const Entry& entry : from) m_entries.push_back({entry.unknown, -entry.coefficient});
+                m_row_start.push_back(m_entries.size());
+            }
+    }
+    std::span<const Entry> row(int side, int axis) const {
+        const std::size_t k = 2 * static_cast<std::size_t>(side) + static_cast<std::size_t>(axis);
+        return {m_entries.data() + m_row_start[k], m_row_start[k + 1] - m_row_start[k]};
+    }
+
+    double target(int side, int axis) const {
+        const int f = Surface::face_of(side);
+        const Component component = in_frame(f, axis);
+        return component.sign * m_gradients[f].row(component.axis).dot(edge_of(side));
+    }
+
+    /// Σ weight · (change of a coordinate along an edge − what the gradient aimed at makes of it)².
     void assemble() {
         std::vector<Eigen::Triplet<double>> A, C;
-        m_b.setZero(m_reals);
         m_D.setZero(m_integers, m_integers);
-        m_d.setZero(m_integers);
-        for (int s = 0; s < 3 * m_surface.face_count(); ++s) {
-            const int f = Surface::face_of(s);
-            const Eigen::Vector3d edge =
-                (m_surface.positions().col(m_surface.to(s)) - m_surface.positions().col(m_surface.from(s))) / m_length;
-            const Eigen::Vector3d x = m_field.directions.col(f), y = m_surface.face_normals().col(f).cross(x);
-            const double along[2] = {edge.dot(x), edge.dot(y)};
-            const double w = weight(s);
-            for (int axis = 0; axis < 2; ++axis) {
-                const Component component = turned_component(axis, (4 - m_cut.face_turns()[f]) % 4);
-                const double target = component.sign * along[component.axis];
-                std::vector<Entry> row = corner(Surface::next(s), axis);
-                for (const Entry& entry : corner(s, axis)) row.push_back({entry.unknown, -entry.coefficient});
-                add_row(row, w, target, A, C);
-            }
-        }
+        for (int s = 0; s < 3 * m_surface.face_count(); ++s)
+            for (int axis = 0; axis < 2; ++axis) add_row(row(s, axis), weight(s), A, C);
+        assemble_targets();
         for (int k = 0; k < m_reals; ++k) A.emplace_back(k, k, k_grid_shift);
         m_A.resize(m_reals, m_reals);
         m_A.setFromTriplets(A.begin(), A.end());
@@ -400,13 +322,20 @@ private:
         m_C.setFromTriplets(C.begin(), C.end());
     }
 
-    void add_row(const std::vector<Entry>& row, double w, double target, std::vector<Eigen::Triplet<double>>& A,
+    void assemble_targets() {
+        m_b.setZero(m_reals);
+        m_d.setZero(m_integers);
+        for (int s = 0; s < 3 * m_surface.face_count(); ++s)
+            for (int axis = 0; axis < 2; ++axis) {
+                const double pull = weight(s) * target(s, axis);
+                for (const auto& [unknown, coefficient] : row(s, axis))
+                    (unknown < m_reals ? m_b[unknown] : m_d[unknown - m_reals]) += coefficient * pull;
+            }
+    }
+
+    void add_row(std::span<const Entry> row, double w, std::vector<Eigen::Triplet<double>>& A,
                  std::vector<Eigen::Triplet<double>>& C) {
         for (const Entry& a : row) {
-            if (a.unknown < m_reals)
-                m_b[a.unknown] += w * a.coefficient * target;
-            else
-                m_d[a.unknown - m_reals] += w * a.coefficient * target;
             for (const Entry& b : row) {
                 const double product = w * a.coefficient * b.coefficient;
                 if (a.unknown < m_reals && b.unknown < m_reals)
@@ -417,6 +346,69 @@ private:
                     m_D(a.unknown - m_reals, b.unknown - m_reals) += product;
             }
         }
+    }
+
+    /// Of the map that these unknowns make, the changes of coordinates along two sides of a triangle, in its frame.
+    Eigen::Matrix2d changes_in(int face, const Eigen::VectorXd& reals, const Eigen::VectorXd& integers) const {
+        Eigen::Matrix2d changes;
+        for (int k = 0; k < 2; ++k)
+            for (int axis = 0; axis < 2; ++axis) {
+                double change = 0;
+                for (const auto& [unknown, coefficient] : row(3 * face + k, axis))
+                    change += coefficient * (unknown < m_reals ? reals[unknown] : integers[unknown - m_reals]);
+                const Component component = in_frame(face, axis);
+                changes(component.axis, k) = component.sign * change;
+            }
+        return changes;
+    }
+
+    /// `round`: is given which part of them is done with it, and returns how much it has changed.
+    template <class Round>
+    static void shear_in_rounds(const std::function<void()>& go_on, Round round) {
+        for (int k = 1; k <= k_shearing_rounds; ++k) {
+            if (go_on) go_on();
+            if (round(static_cast<double>(k) / k_shearing_rounds) < k_settled) return;
+        }
+    }
+
+    /// Aims at what is nearest to the map that these unknowns make among cells with edges of one length, sheared along
+    /// a diagonal of the field. There are as many of them as there were of squares.
+    /// Returns how much a gradient changes at most, beside a square's.
+    double shear(const Eigen::VectorXd& reals, const Eigen::VectorXd& integers, double smallest_angle) {
+        std::vector<Eigen::Matrix2d> present(m_gradients.size());
+        const std::vector<Eigen::Matrix2d> before = m_gradients;
+        double area = 0, cells = 0;
+        for (int f = 0; f < m_surface.face_count(); ++f) {
+            Eigen::Matrix2d edges;
+            edges << edge_of(3 * f), edge_of(3 * f + 1);
+            present[f] = changes_in(f, reals, integers) * edges.inverse();
+            const Eigen::Matrix2d tangents = rhomb(present[f].inverse(), smallest_angle);
+            m_gradients[f] = tangents.inverse();
+            area += m_surface.areas()[f];
+            cells += m_surface.areas()[f] / tangents.determinant();
+        }
+        const double length = m_length * std::sqrt(cells / area);
+        double change = 0;
+        for (std::size_t f = 0; f < m_gradients.size(); ++f) {
+            m_gradients[f] /= length;
+            if (present[f].allFinite()) m_gradients[f] = present[f] + k_over_relaxation * (m_gradients[f] - present[f]);
+            change = std::max(change, m_length * (m_gradients[f] - before[f]).cwiseAbs().maxCoeff());
+        }
+        assemble_targets();
+        return change;
+    }
+
+    /// The sides of the rhomb of side 1 with diagonals between the axes that is as acute as the cell with these sides,
+    /// but not too acute; of a cell that is turned over, a square.
+    static Eigen::Matrix2d rhomb(const Eigen::Matrix2d& sides, double smallest_angle) {
+        const double turn = sides.determinant();
+        if (!sides.allFinite() || !(turn > 0)) return Eigen::Matrix2d::Identity();
+        const double angle = std::clamp(std::atan2(turn, sides.col(0).dot(sides.col(1))), smallest_angle,
+                                        std::numbers::pi - smallest_angle);
+        const double away = (std::numbers::pi / 2 - angle) / 2;  // of either side from its axis
+        Eigen::Matrix2d rhomb;
+        rhomb << std::cos(away), std::sin(away), std::sin(away), std::cos(away);
+        return rhomb;
     }
 
     /// The vertices' own coordinates are rounded to parts of a cell, and all others follow exactly.
@@ -448,12 +440,15 @@ private:
     const Surface& m_surface;
     const DirectionField& m_field;
     double m_length;
-    Cut m_cut;
+    FieldCut m_cut;
     int m_reals = 0, m_integers = 0;
     std::vector<int> m_unknown;              // of each vertex, the first of two
     std::vector<Place> m_places;             // of the corner at which each side begins
     std::vector<std::vector<Entry>> m_held;  // of each coordinate of a vertex on a line what it is, in integers
     std::vector<IntegerCondition> m_conditions;
+    std::vector<Entry> m_entries;              // of rows, see list_rows()
+    std::vector<std::size_t> m_row_start;      // of each side and axis, and the end
+    std::vector<Eigen::Matrix2d> m_gradients;  // of each triangle, those aimed at, of coordinates in the field's frame
     Eigen::SparseMatrix<double> m_A, m_C;
     Eigen::MatrixXd m_D;
     Eigen::VectorXd m_b, m_d;
@@ -470,9 +465,9 @@ GridPoint turned(const GridPoint& p, int quarter_turns) {
     return result;
 }
 
-GridMap fit_grid(const Surface& surface, const DirectionField& field, double length,
-                 const std::vector<bool>& on_lines) {
-    return Fit(surface, field, length, on_lines).run();
+GridMap fit_grid(const Surface& surface, const DirectionField& field, double length, const std::vector<bool>& on_lines,
+                 double smallest_angle, const std::function<void()>& go_on) {
+    return Fit(surface, field, length, on_lines).run(smallest_angle, go_on);
 }
 
 }  // namespace chebnet

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <numbers>
 #include <vector>
 
 #include "remesh/direction_field.h"
@@ -25,10 +27,17 @@ struct GridMap {
 };
 
 /// The map that follows the field best with cells of the given length: least squares in the gradients, with whole
-/// numbers of cells between singular vertices. No point of a triangle's corner has a coordinate in the middle of a
-/// cell. What is to be on lines of the grid, of each side of the surface whether it is, creases or the border, is on
-/// them where the field goes along it.
+/// numbers of cells between singular vertices, and around. No point of a triangle's corner has a coordinate in the
+/// middle of a cell. What is to be on lines of the grid, of each side of the surface whether it is, creases or the
+/// border, is on them where the field goes along it.
+///
+/// Cells are squares as far as can be; with a smaller `smallest_angle` (radians) they are rhombs with edges of one
+/// length, as many as squares, along the diagonals of the field and no more acute than that. So a ring has a number of
+/// cells around that edges of one length allow for where it is widest and narrowest. For fields without singular
+/// vertices, about which no cell is sheared along diagonals. Where there are no whole numbers to choose, as on a disc,
+/// cells stay squares. `go_on` is called in each round; whoever wants an end throws.
 GridMap fit_grid(const Surface& surface, const DirectionField& field, double length,
-                 const std::vector<bool>& on_lines = {});
+                 const std::vector<bool>& on_lines = {}, double smallest_angle = std::numbers::pi / 2,
+                 const std::function<void()>& go_on = nullptr);
 
 }  // namespace chebnet

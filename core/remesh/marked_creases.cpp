@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "remesh/creases.h"
+#include "surface/segment_tree.h"
 #include "surface/surface_cut.h"
 
 namespace chebnet {
@@ -54,8 +55,7 @@ std::vector<Segment> Creases::segments() const {
     const Surface& surface = guide->surface();
     std::vector<Segment> segments;
     for (int s = 0; s < std::ssize(sides); ++s)
-        if (sides[s] && surface.opposite(s) < s)
-            segments.push_back({surface.positions().col(surface.from(s)), surface.positions().col(surface.to(s))});
+        if (sides[s] && surface.opposite(s) < s) segments.push_back(segment_of(surface, s));
     return segments;
 }
 
@@ -79,18 +79,18 @@ Creases find_creases(const std::shared_ptr<const Guide>& guide, double angle, co
 
 double distance_along(const Net& net, const Positions& way) {
     const Positions& x = net.rest_positions();
+    std::vector<Segment> all;
+    for (const auto& edge : net.edges().colwise()) all.push_back({x.col(edge[0]), x.col(edge[1])});
+    const SegmentTree edges(std::move(all));
     const double edge_length = net.mean_length();
     double sum = 0;
     int count = 0;
     walk(way, edge_length / k_samples, [&](const Eigen::Vector3d& point, const Eigen::Vector3d& along) {
-        double least = edge_length * edge_length;
-        for (int e = 0; e < net.edge_count(); ++e) {
-            const Eigen::Vector3d from = x.col(net.edges()(0, e)), to = x.col(net.edges()(1, e));
-            const double cosine = (to - from).dot(along);
-            if (cosine * cosine > k_along_crease * (to - from).squaredNorm())
-                least = std::min(least, squared_distance(point, from, to));
-        }
-        sum += std::sqrt(least);
+        const auto runs_along = [&](const Segment& edge) {
+            const double cosine = (edge.to - edge.from).dot(along);
+            return cosine * cosine > k_along_crease * (edge.to - edge.from).squaredNorm();
+        };
+        sum += std::sqrt(edges.nearest(point, edge_length * edge_length, runs_along).squared_distance);
         ++count;
     });
     return count > 0 ? sum / count / edge_length : 0;

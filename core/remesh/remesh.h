@@ -3,9 +3,10 @@
 #include <array>
 #include <functional>
 #include <memory>
-#include <numbers>
 #include <vector>
 
+#include "base/angle.h"
+#include "base/enum_names.h"
 #include "net/net.h"
 #include "remesh/marked_creases.h"
 #include "remesh/singular_wishes.h"
@@ -30,11 +31,11 @@ struct RemeshOptions {
         never     ///< in steps
     };
 
-    int cells = 4000;                              ///< about so many, or more where the surface is too thin for
-                                                   ///< them; not asked for if there is a length
-    double length = 0;                             ///< L, of all edges; 0: the one that fits with so many cells
-    double smallest_angle = std::numbers::pi / 6;  ///< no corner is to be sharper, nor blunter than π less it; see
-                                                   ///< Remesh::sharp_quads
+    int cells = 4000;                             ///< about so many, or more where the surface is too thin for
+                                                  ///< them; not asked for if there is a length
+    double length = 0;                            ///< L, of all edges; 0: the one that fits with so many cells
+    double smallest_angle = k_usual_shear_limit;  ///< no corner is to be sharper, nor blunter than π less it; see
+                                                  ///< Remesh::sharp_quads
     /// How large a bump may be that makes no singular vertices: 1 as usual, 0 for none, 10 for few singular vertices.
     double smoothing = 1;
     /// As few singular vertices as a net can do with whose corners keep the limit, that is no more than 0.2 edges away
@@ -51,6 +52,12 @@ struct RemeshOptions {
     std::vector<MarkedCrease> marked_creases = {};
     Border border = Border::fitting;
 };
+
+inline constexpr EnumName<RemeshOptions::Border> k_remesh_borders[] = {{"fitting", RemeshOptions::Border::fitting},
+                                                                       {"always", RemeshOptions::Border::always},
+                                                                       {"outer", RemeshOptions::Border::outer},
+                                                                       {"across", RemeshOptions::Border::across},
+                                                                       {"never", RemeshOptions::Border::never}};
 
 /// What is done, in this order.
 enum class RemeshPhase {

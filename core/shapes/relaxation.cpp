@@ -107,7 +107,7 @@ private:
             const double u = rest_length(q[0], q[1]), v = rest_length(q[1], q[2]);
             for (int k = 0; k < 4; ++k) {
                 m_area[q[k]] += u * v / 4;
-                width[edge_between(q[k], q[(k + 1) % 4])] += (k % 2 == 0 ? v : u) / 2;
+                width[m_topology.edge_between(q[k], q[(k + 1) % 4])] += (k % 2 == 0 ? v : u) / 2;
             }
             for (int k = 0; k < 2; ++k) {
                 const auto [sharpest, bluntest] = corners_beside(q[k + 1], q[(k + 3) % 4]);
@@ -137,12 +137,6 @@ private:
     /// Of the triangle with sides u and v and this cosine between them.
     static double side_opposite(double u, double v, double cosine) {
         return std::sqrt(u * u + v * v - 2 * u * v * cosine);
-    }
-
-    int edge_between(int a, int b) const {
-        const auto neighbours = m_topology.neighbours(a);
-        return m_topology.incident_edges(
-            a)[std::lower_bound(neighbours.begin(), neighbours.end(), b) - neighbours.begin()];
     }
 
     void add_bends() {

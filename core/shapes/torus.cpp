@@ -1,6 +1,6 @@
 #include <cmath>
-#include <numbers>
 
+#include "base/angle.h"
 #include "shapes/family.h"
 #include "shapes/grid.h"
 
@@ -16,7 +16,7 @@ constexpr ShapeParameter k_torus_parameters[] = {
 /// The upright ring: two arcs of equal edges that meet in a crest above and below. A round one would, in four places,
 /// run along the lying ring and fold the net flat there; the arcs stay clear of that direction.
 Positions lens(int vertices) {
-    constexpr double widest_lean = 70 * std::numbers::pi / 180;
+    constexpr double widest_lean = 70 * k_degree;
     const int half = vertices / 2;
     const Positions arc = guide(
         half + 1, [](double t) { return Eigen::Vector3d(-std::sin(widest_lean * t), 0, std::cos(widest_lean * t)); });

@@ -32,16 +32,12 @@ class March {
 public:
     explicit March(const Surface& surface)
         : m_surface(surface),
-          m_distances(static_cast<std::size_t>(surface.vertex_count()), k_infinity),
-          m_is_final(m_distances.size()) {}
+          m_nearest{std::vector<double>(static_cast<std::size_t>(surface.vertex_count()), k_infinity),
+                    std::vector<int>(static_cast<std::size_t>(surface.vertex_count()), -1)},
+          m_is_final(m_nearest.distances.size()) {}
 
-    void begin_at(const SurfacePoint& source) {
-        const Eigen::Vector3d position = m_surface.position_at(source);
-        for (const int v : m_surface.triangles().col(source.face))
-            lower(v, (m_surface.positions().col(v) - position).norm());
-    }
-
-    std::vector<double> run(double most) {
+    NearestSources run(std::span<const SurfacePoint> sources, double most) {
+        for (std::size_t k = 0; k < sources.size(); ++k) begin_at(sources[k], static_cast<int>(k));
         while (!m_waiting.empty() && m_waiting.top().first <= most) {
             const int vertex = m_waiting.top().second;
             m_waiting.pop();
@@ -49,46 +45,52 @@ public:
             m_is_final[vertex] = true;
             go_on_from(vertex);
         }
-        for (std::size_t v = 0; v < m_distances.size(); ++v)
-            if (!m_is_final[v]) m_distances[v] = k_infinity;
-        return std::move(m_distances);
+        for (std::size_t v = 0; v < m_is_final.size(); ++v)
+            if (!m_is_final[v]) m_nearest.distances[v] = k_infinity, m_nearest.sources[v] = -1;
+        return std::move(m_nearest);
     }
 
 private:
-    void lower(int vertex, double distance) {
-        if (!(distance < m_distances[vertex])) return;
-        m_distances[vertex] = distance;
+    void begin_at(const SurfacePoint& source, int number) {
+        const Eigen::Vector3d position = m_surface.position_at(source);
+        for (const int v : m_surface.triangles().col(source.face))
+            lower(v, (m_surface.positions().col(v) - position).norm(), number);
+    }
+
+    void lower(int vertex, double distance, int source) {
+        if (!(distance < distance_of(vertex))) return;
+        m_nearest.distances[vertex] = distance;
+        m_nearest.sources[vertex] = source;
         m_waiting.push({distance, vertex});
     }
 
     /// Through all triangles at the vertex, and those across their far sides.
     void go_on_from(int vertex) {
-        const int first = m_surface.first_side(vertex);
-        for (int side = first; side >= 0;) {
-            const int next = Surface::next(side), previous = Surface::previous(side);
-            for (const int s : {side, next, previous}) update(s);
-            side = m_surface.around(side);
-            if (side == first) break;
-        }
+        for (const int side : m_surface.sides_around(vertex))
+            for (const int s : {side, Surface::next(side), Surface::previous(side)}) update(s);
     }
 
     /// The corner across from a side, by what is known at its ends.
     void update(int side) {
         const int a = m_surface.from(side), b = m_surface.to(side), c = m_surface.from(Surface::previous(side));
         if (m_is_final[c]) return;
+        const auto from = [&](int end, double distance) { lower(c, distance, m_nearest.sources[end]); };
         if (m_is_final[a] && m_is_final[b])
-            lower(c, distance_across(m_distances[a], m_distances[b], length(a, b), length(b, c), length(c, a)));
+            from(distance_of(a) < distance_of(b) ? a : b,
+                 distance_across(distance_of(a), distance_of(b), length(a, b), length(b, c), length(c, a)));
         else if (m_is_final[a])
-            lower(c, m_distances[a] + length(a, c));
+            from(a, distance_of(a) + length(a, c));
         else if (m_is_final[b])
-            lower(c, m_distances[b] + length(b, c));
+            from(b, distance_of(b) + length(b, c));
     }
+
+    double distance_of(int vertex) const { return m_nearest.distances[vertex]; }
 
     double length(int a, int b) const { return (m_surface.positions().col(a) - m_surface.positions().col(b)).norm(); }
 
     using Entry = std::pair<double, int>;  // distance, vertex
     const Surface& m_surface;
-    std::vector<double> m_distances;
+    NearestSources m_nearest;
     std::vector<bool> m_is_final;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> m_waiting;
 };
@@ -96,9 +98,11 @@ private:
 }  // namespace
 
 std::vector<double> geodesic_distances(const Surface& surface, std::span<const SurfacePoint> sources, double most) {
-    March march(surface);
-    for (const SurfacePoint& source : sources) march.begin_at(source);
-    return march.run(most);
+    return March(surface).run(sources, most).distances;
+}
+
+NearestSources nearest_sources(const Surface& surface, std::span<const SurfacePoint> sources) {
+    return March(surface).run(sources, k_infinity);
 }
 
 }  // namespace chebnet

@@ -56,10 +56,9 @@ void GeodesicWalk::lay_into(int face, const Eigen::Vector3d& direction) {
 
 /// Of the triangles around the vertex at which a side begins, the one into which the direction leads most clearly.
 bool GeodesicWalk::choose_face_around(int corner_side, const Eigen::Vector3d& direction) {
-    const int first = m_surface.first_side(m_surface.from(corner_side));
     double clearest = -k_no_limit;
     Eigen::Vector3d chosen = Eigen::Vector3d::Zero();
-    for (int side = first; side >= 0;) {
+    for (const int side : m_surface.sides_around(m_surface.from(corner_side))) {
         lay_into(Surface::face_of(side), direction);
         if (!m_direction.isZero(0)) {
             const Eigen::Vector3d rate = rates(Surface::face_of(side), m_direction);
@@ -73,8 +72,6 @@ bool GeodesicWalk::choose_face_around(int corner_side, const Eigen::Vector3d& di
                 chosen = std::max(along_a, 0.0) * a + std::max(along_b, 0.0) * b;
             }
         }
-        side = m_surface.around(side);
-        if (side == first) break;
     }
     if (chosen.isZero(0)) return false;
     m_direction = chosen.normalized();
@@ -147,11 +144,10 @@ void GeodesicWalk::pass_vertex(int corner) {
         return;
     }
     double total = 0;
-    int side = arrival;
-    do total += corner_angle(side);
-    while ((side = m_surface.around(side)) != arrival);
+    for (const int side : m_surface.sides_from(arrival)) total += corner_angle(side);
     const Eigen::Vector3d edge = vector_of(arrival);
     double angle = std::atan2(edge.cross(-m_direction).norm(), edge.dot(-m_direction)) + total / 2;
+    int side = arrival;
     while (angle > corner_angle(side)) {
         angle -= corner_angle(side);
         side = m_surface.around(side);

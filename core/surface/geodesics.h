@@ -63,4 +63,11 @@ Geodesic trace_geodesic(const Surface& surface, const SurfacePoint& start, const
 std::vector<double> geodesic_distances(const Surface& surface, std::span<const SurfacePoint> sources,
                                        double most = std::numeric_limits<double>::infinity());
 
+/// The distances of vertices to the nearest of several sources, and which these are.
+struct NearestSources {
+    std::vector<double> distances;  ///< V, as geodesic_distances() gives
+    std::vector<int> sources;       ///< V, numbers of sources: of two that are alike one; −1 at infinity
+};
+NearestSources nearest_sources(const Surface& surface, std::span<const SurfacePoint> sources);
+
 }  // namespace chebnet

@@ -89,4 +89,10 @@ void HeatStep::multiply(const Eigen::VectorXd& from, Eigen::VectorXd& to) const 
     }
 }
 
+double mean_edge(const Surface& surface) {
+    double sum = 0;
+    for (int side = 0; side < 3 * surface.face_count(); ++side) sum += surface.length_of(side);
+    return sum / (3. * surface.face_count());
+}
+
 }  // namespace chebnet

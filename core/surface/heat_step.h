@@ -40,4 +40,7 @@ private:
     std::vector<bool> m_is_held;
 };
 
+/// The mean length of the triangles' sides, in which times of heat that is to cross noise are counted.
+double mean_edge(const Surface& surface);
+
 }  // namespace chebnet

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -107,44 +106,27 @@ Pair measured(const Surface& surface, const std::vector<Loop>& loops, int first,
     return pair;
 }
 
-/// Of each vertex the place of the curve that it is nearest to: that of the neighbour by which its distance came. −1 on
-/// pieces without one, and where no neighbour is nearer, which obtuse triangles may bring about.
-std::vector<int> nearest_loops(const Surface& surface, const std::vector<Loop>& loops,
-                               const std::vector<double>& distances) {
-    std::vector<int> nearest(static_cast<std::size_t>(surface.vertex_count()), -1), neighbours = nearest;
-    std::vector<double> ways(nearest.size(), std::numeric_limits<double>::infinity());
-    for (int s = 0; s < 3 * surface.face_count(); ++s)
-        for (const auto& [v, w] :
-             {std::pair(surface.from(s), surface.to(s)), std::pair(surface.to(s), surface.from(s))})
-            if (const double way = distances[w] + surface.length_of(s); distances[w] < distances[v] && way < ways[v])
-                ways[v] = way, neighbours[v] = w;
-    for (std::size_t k = 0; k < loops.size(); ++k)
-        for (const int side : loops[k]) nearest[surface.from(side)] = static_cast<int>(k);
-    std::vector<int> outwards(nearest.size());
-    std::iota(outwards.begin(), outwards.end(), 0);
-    std::stable_sort(outwards.begin(), outwards.end(), [&](int v, int w) { return distances[v] < distances[w]; });
-    for (const int v : outwards)
-        if (nearest[v] < 0 && neighbours[v] >= 0) nearest[v] = nearest[neighbours[v]];
-    return nearest;
-}
-
 /// The least of the ways between curves along an edge of which the ends are nearest to one each, longer than those over
 /// the surface by no more than triangles are wide; and which curves they are.
 using Neighbours = std::map<std::pair<int, int>, double>;
 
 Neighbours neighbours_of(const Surface& surface, const std::vector<Loop>& loops) {
     std::vector<SurfacePoint> sources;
-    for (const Loop& loop : loops)
-        for (const SurfacePoint& point : beginnings_of(loop)) sources.push_back(point);
-    if (sources.empty()) return {};
-    const std::vector<double> distances = geodesic_distances(surface, sources);
-    const std::vector<int> nearest = nearest_loops(surface, loops, distances);
+    std::vector<int> loop_of;
+    for (std::size_t k = 0; k < loops.size(); ++k)
+        for (const SurfacePoint& point : beginnings_of(loops[k])) {
+            sources.push_back(point);
+            loop_of.push_back(static_cast<int>(k));
+        }
+    const auto [distances, nearest] = nearest_sources(surface, sources);
     Neighbours neighbours;
     for (int s = 0; s < 3 * surface.face_count(); ++s) {
         const int v = surface.from(s), w = surface.to(s);
-        if (nearest[v] == nearest[w] || nearest[v] < 0 || nearest[w] < 0) continue;
+        if (nearest[v] < 0 || nearest[w] < 0) continue;  // on a piece without border
+        const int loop_v = loop_of[nearest[v]], loop_w = loop_of[nearest[w]];
+        if (loop_v == loop_w) continue;
         const double way = distances[v] + surface.length_of(s) + distances[w];
-        const auto [place, is_new] = neighbours.try_emplace(std::minmax(nearest[v], nearest[w]), way);
+        const auto [place, is_new] = neighbours.try_emplace(std::minmax(loop_v, loop_w), way);
         place->second = std::min(place->second, way);
     }
     return neighbours;

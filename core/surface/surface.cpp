@@ -173,6 +173,12 @@ void Surface::measure() {
     for (int v = 0; v < vertex_count(); ++v) m_vertex_normals.col(v) = unit_or_zero(m_vertex_normals.col(v));
 }
 
+std::vector<int> Surface::faces_around(int vertex) const {
+    std::vector<int> faces;
+    for (const int side : sides_around(vertex)) faces.push_back(face_of(side));
+    return faces;
+}
+
 double Surface::length_of(int side) const { return (m_positions.col(to(side)) - m_positions.col(from(side))).norm(); }
 
 double Surface::length_of(const std::vector<int>& sides) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <iterator>
 #include <vector>
 
 #include "net/mesh.h"
@@ -14,6 +15,8 @@ struct SurfacePoint {
     int face = -1;
     Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< barycentric: of the triangle's corners, ≥ 0, their sum 1
 };
+
+class SidesAround;
 
 /// The largest coordinate: fourth powers of lengths stay finite, for which that of nets is too large.
 inline constexpr double k_largest_surface = 1e50;
@@ -54,6 +57,12 @@ public:
     int first_side(int vertex) const { return m_first_side[vertex]; }
     /// The next side counterclockwise that begins where this one does; −1 behind the last at the boundary.
     int around(int side) const { return m_opposite[previous(side)]; }
+    /// All that begin at a vertex, counterclockwise from its first_side(): `for (const int side : sides_around(v))`.
+    SidesAround sides_around(int vertex) const;
+    /// Those that begin where this one does, counterclockwise from it, once around or up to the boundary.
+    SidesAround sides_from(int side) const;
+    /// The triangles at a vertex, counterclockwise, from that of its first_side() on.
+    std::vector<int> faces_around(int vertex) const;
     bool is_boundary(int vertex) const { return m_opposite[m_first_side[vertex]] < 0; }
 
     /// 3×F, unit vectors; zero where a triangle has no area.
@@ -91,6 +100,37 @@ private:
     Eigen::VectorXd m_areas;
     double m_area = 0;
 };
+
+/// See Surface::sides_around(). Refers to the surface, which must outlive it.
+class SidesAround {
+public:
+    SidesAround(const Surface& surface, int first) : m_surface(surface), m_first(first) {}
+
+    class Iterator {
+    public:
+        Iterator(const Surface& surface, int first) : m_surface(&surface), m_first(first), m_side(first) {}
+        int operator*() const { return m_side; }
+        Iterator& operator++() {
+            m_side = m_surface->around(m_side);
+            if (m_side == m_first) m_side = -1;
+            return *this;
+        }
+        bool operator==(std::default_sentinel_t) const { return m_side < 0; }
+
+    private:
+        const Surface* m_surface;
+        int m_first, m_side;  // −1: at the end
+    };
+    Iterator begin() const { return {m_surface, m_first}; }
+    std::default_sentinel_t end() const { return {}; }
+
+private:
+    const Surface& m_surface;
+    int m_first;
+};
+
+inline SidesAround Surface::sides_around(int vertex) const { return {*this, m_first_side[vertex]}; }
+inline SidesAround Surface::sides_from(int side) const { return {*this, side}; }
 
 /// The same in another unit: all lengths times `factor`. Throws Error bad_scale.
 Surface scaled(const Surface& surface, double factor);

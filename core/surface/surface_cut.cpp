@@ -344,14 +344,12 @@ Mesh opened(const Surface& surface, const Edges& edges) {
         if (!surface.is_boundary(vertex))
             while (!is_cut(first)) first = surface.around(first);
         int number = vertex;
-        for (int side = first; side >= 0;) {
+        for (const int side : surface.sides_from(first)) {
             if (side != first && is_cut(side)) {
                 number = static_cast<int>(mesh.positions.cols() + std::ssize(added));
                 added.emplace_back(mesh.positions.col(vertex));
             }
             triangles.reshaped()[side] = number;
-            side = surface.around(side);
-            if (side == first) break;
         }
     }
     const Eigen::Index count = mesh.positions.cols();

@@ -245,10 +245,8 @@ std::optional<Strip> around_other_side(const Surface& surface, const Strip& stri
     const auto last = std::find_if_not(first, strip.end(), has_vertex) - 1;
     if (first == last) return std::nullopt;
     Strip around;  // counterclockwise
-    const int start = 3 * *first + corner_of(surface, *first, vertex);
-    int side = start;
-    do around.push_back(Surface::face_of(side));
-    while ((side = surface.around(side)) != start);
+    for (const int side : surface.sides_from(3 * *first + corner_of(surface, *first, vertex)))
+        around.push_back(Surface::face_of(side));
     if (around[1] == first[1]) std::reverse(around.begin() + 1, around.end());
     Strip other(strip.begin(), first);
     for (const int face : around) {

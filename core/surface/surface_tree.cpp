@@ -56,10 +56,6 @@ Eigen::Vector3d nearest_weights(const Eigen::Vector3d& p, const Eigen::Vector3d&
     return {std::max(0.0, 1 - v - w), v, w};  // beside an edge rounding leads below 0
 }
 
-double squared_distance(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Eigen::Vector3d& point) {
-    return (low - point).cwiseMax(point - high).cwiseMax(0.0).squaredNorm();
-}
-
 }  // namespace
 
 // --------------------------------------------------------------------------------------------------------------- build
@@ -72,7 +68,7 @@ SurfaceTree::SurfaceTree(const Surface& surface)
     m_nodes.reserve(m_faces.size());
     build(0, surface.face_count(), centres);
     m_nodes.shrink_to_fit();
-    const Node& whole = m_nodes.front();
+    const BoxNode& whole = m_nodes.front();
     m_centre = (whole.low + whole.high) / 2;
     m_afar = k_afar * (whole.high - whole.low).maxCoeff();
 }
@@ -82,7 +78,7 @@ int SurfaceTree::build(int first, int last, const Positions& centres) {
     const int number = static_cast<int>(m_nodes.size());
     m_nodes.push_back({Eigen::Vector3d::Constant(k_farthest), Eigen::Vector3d::Constant(-k_farthest), first, 0});
     if (last - first <= k_leaf_size) {
-        Node& leaf = m_nodes.back();
+        BoxNode& leaf = m_nodes.back();
         leaf.count = last - first;
         std::sort(m_faces.begin() + first, m_faces.begin() + last);  // an order that does not depend on the cuts
         for (int i = first; i < last; ++i)
@@ -94,7 +90,7 @@ int SurfaceTree::build(int first, int last, const Positions& centres) {
     }
     const int middle = split(first, last, centres);
     const int left = build(first, middle, centres), right = build(middle, last, centres);
-    Node& node = m_nodes[number];
+    BoxNode& node = m_nodes[number];
     node.first = right;
     node.low = m_nodes[left].low.cwiseMin(m_nodes[right].low);
     node.high = m_nodes[left].high.cwiseMax(m_nodes[right].high);
@@ -145,10 +141,10 @@ SurfaceTree::Nearest SurfaceTree::nearest(const Eigen::Vector3d& point, int gues
 }
 
 void SurfaceTree::visit_nearest(int number, const Eigen::Vector3d& point, double& least, Nearest& best) const {
-    const Node& node = m_nodes[number];
+    const BoxNode& node = m_nodes[number];
     for (int i = 0; i < node.count; ++i) consider(m_faces[node.first + i], point, least, best);
     if (node.count > 0) return;
-    const auto distance = [&](int child) { return squared_distance(m_nodes[child].low, m_nodes[child].high, point); };
+    const auto distance = [&](int child) { return squared_distance(m_nodes[child], point); };
     std::pair<double, int> near{distance(number + 1), number + 1}, far{distance(node.first), node.first};
     if (far < near) std::swap(near, far);
     if (near.first < least) visit_nearest(near.second, point, least, best);
@@ -204,7 +200,7 @@ std::optional<SurfaceTree::Hit> SurfaceTree::hit(const Eigen::Vector3d& origin,
 }
 
 void SurfaceTree::visit_ray(int number, const Ray& ray, std::optional<Hit>& best) const {
-    const Node& node = m_nodes[number];
+    const BoxNode& node = m_nodes[number];
     for (int i = 0; i < node.count; ++i) consider(m_faces[node.first + i], ray, best);
     if (node.count > 0) return;
     const auto entry = [&](int child) { return ray.entry(m_nodes[child].low, m_nodes[child].high); };

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "surface/box.h"
 #include "surface/surface.h"
 
 namespace chebnet {
@@ -41,11 +42,6 @@ public:
     std::optional<Hit> hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
 
 private:
-    struct Node {
-        Eigen::Vector3d low, high;  // of the box
-        int first;                  // of a leaf: its first place in m_faces; of another: its second child
-        int count;                  // of a leaf: its triangles; of another 0, and its first child follows it
-    };
     struct Ray;
 
     int build(int first, int last, const Positions& centres);
@@ -59,7 +55,7 @@ private:
     Eigen::Vector3d drawn_near(const Eigen::Vector3d& point) const;
 
     const Surface& m_surface;
-    std::vector<Node> m_nodes;
+    std::vector<BoxNode> m_nodes;
     std::vector<int> m_faces;  // by leaves
     Eigen::Vector3d m_centre;  // of the surface's box
     double m_afar = 0;         // from there

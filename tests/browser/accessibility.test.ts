@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import type { AxeResults } from 'axe-core';
 import type { Frame, Page } from 'playwright-core';
 import { describe, expect, test } from 'vitest';
-import { OUTPUT, unfoldAll, visits } from './page';
+import { drawn, OUTPUT, unfoldAll, visits } from './page';
 
 const AXE = readFileSync(
   createRequire(new URL('../../web/package.json', import.meta.url)).resolve('axe-core/axe.min.js'),
@@ -143,6 +143,63 @@ describe.each([
     await frame.getByRole('button', { name: 'Press to drag the net' }).click();
     expect({ lesson, asleep, awake: await faults(page, frame) }).toEqual({ lesson: [], asleep: [], awake: [] });
   });
+});
+
+/** Whatever in a part of the page can have the focus, and the ring around it is cut off by what scrolls there. */
+function cutRings(page: Page, part: string): Promise<string[]> {
+  return page.evaluate((within) => {
+    const cut: string[] = [];
+    for (const each of document.querySelectorAll<HTMLElement>(
+      `${within} :is(button, input, select, summary, a, [tabindex])`,
+    )) {
+      each.focus();
+      if (document.activeElement !== each) continue;
+      const { outlineOffset, outlineWidth } = getComputedStyle(each);
+      const reach = parseFloat(outlineOffset) + parseFloat(outlineWidth);
+      const ring = each.getBoundingClientRect();
+      const isCut = (around: Element) => {
+        if (getComputedStyle(around).overflowY === 'visible') return false;
+        const { left, right, top, bottom } = around.getBoundingClientRect();
+        const gaps = [ring.left - left, right - ring.right, ring.top - top, bottom - ring.bottom];
+        return Math.min(...gaps) < reach - 0.5;
+      };
+      for (let around = each.parentElement; around !== null; around = around.parentElement)
+        if (isCut(around)) cut.push(`${each.ariaLabel ?? each.textContent}, by ${around.className || around.tagName}`);
+    }
+    return cut;
+  }, part);
+}
+
+test('the ring around what has the focus is seen whole', async () => {
+  const { page, script } = await site.arrive();
+  await script.settled();
+  await unfoldAll(page);
+  await page.keyboard.press('Tab');
+  await drawn(page);
+  expect(await cutRings(page, '.sidebar')).toEqual([]);
+  for (const label of ['Share', 'Keys', 'Equalise…']) {
+    await page.getByRole('button', { name: label, exact: true }).press('Enter');
+    await page.getByRole('dialog').waitFor();
+    expect(await cutRings(page, 'dialog'), label).toEqual([]);
+    await page.keyboard.press('Escape');
+  }
+});
+
+test('a dialog has the focus where one goes on, from its beginning, and gives it back', async () => {
+  const { page, script } = await site.arrive();
+  await script.open({ recipe: 'vault:vertices=300' });
+  await script.settled();
+  const focused = () => page.locator(':focus').innerText();
+  for (const [label, first] of [
+    ['Share', /^(Close|Copy link)$/],
+    ['Equalise…', /^Equalise$/],
+  ] as const) {
+    await page.getByRole('button', { name: label, exact: true }).press('Enter');
+    await page.getByRole('dialog').waitFor();
+    await expect.poll(focused).toMatch(first);
+    await page.keyboard.press('Escape');
+    await expect.poll(focused).toBe(label);
+  }
 });
 
 test('forced colours leave legend, sliders, status and the chosen shape to be seen', async () => {

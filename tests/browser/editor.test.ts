@@ -104,6 +104,17 @@ test('the first net can be looked at', async () => {
   expect(overflow).toBeLessThanOrEqual(0);
 });
 
+test('a double click opens one dialog, also while its program is being loaded', async () => {
+  for (const label of ['Share', 'Keys', 'On a surface…']) {
+    const { page } = await arrive();
+    await allSections(page);
+    await page.getByRole('button', { name: label, exact: true }).dblclick();
+    await page.locator('dialog[open]').first().waitFor();
+    await drawn(page);
+    expect(await page.locator('dialog[open]').count(), label).toBe(1);
+  }
+});
+
 test('the sidebar can be hidden, and a section that is opened at its lower end comes into sight', async () => {
   const { page } = visit;
   const widthOf = async (selector: string) => (await page.locator(selector).boundingBox())!.width;

@@ -102,7 +102,7 @@ test('the pattern of a net in millimetres is of its own size', async () => {
   ] as const) {
     await visit.script.open({ obj: square(length) });
     await press('Export');
-    expect(await edge.inputValue(), `edges of ${length}`).toBe(shown);
+    await expect.poll(() => edge.inputValue(), { message: `edges of ${length}` }).toBe(shown);
     await visit.page.keyboard.press('Escape');
   }
   await visit.script.open({ obj: square(290) });

@@ -258,7 +258,20 @@ describe('several handles', () => {
     const name = visit.page.getByRole('textbox', { name: 'Name' });
     await name.fill('Ridge');
     await press('Enter');
-    await rows.filter({ hasText: /^Ridge \(\d+\)$/ }).waitFor();
+    const ridge = rows.filter({ hasText: /^Ridge \(\d+\)$/ });
+    await ridge.waitFor();
+    // Enter of an input method takes what it offers, and ends nothing else.
+    await ridge
+      .getByRole('button', { name: /^Ridge/ })
+      .first()
+      .press('F2');
+    const renaming = ridge.getByRole('textbox');
+    await renaming.evaluate((field) =>
+      field.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', isComposing: true })),
+    );
+    expect(await renaming.isVisible()).toBe(true);
+    await renaming.press('Escape');
+    await renaming.waitFor({ state: 'hidden' });
     await name.fill('');
     await press('Enter');
     await expect.poll(async () => rows.count()).toBe((await handles()).length);

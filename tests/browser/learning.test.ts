@@ -39,6 +39,51 @@ test('a key and a button show all keys, and the keys do what the sheet says', as
   expect((await script.stats()).handles).toBe(5);
 });
 
+test('keys of a single sign can be switched off, and stay so; those with Ctrl and those of the picture go on', async () => {
+  const visit = await arrive();
+  const { page, script } = visit;
+  const sheet = page.getByRole('dialog', { name: 'Keys' });
+  const single = sheet.getByRole('switch').or(sheet.getByRole('checkbox'));
+  const show = async () => {
+    await page.getByRole('button', { name: 'Keys' }).click();
+    await sheet.waitFor();
+  };
+  const select = () => page.getByRole('button', { name: 'Select', exact: true });
+  const isSelecting = () => select().getAttribute('aria-pressed');
+  await page.keyboard.press('l');
+  expect(await isSelecting()).toBe('true');
+  await page.keyboard.press('l');
+
+  await show();
+  expect(await single.isChecked()).toBe(true);
+  await single.click();
+  await page.keyboard.press('Escape');
+  await sheet.waitFor({ state: 'detached' });
+  for (const _ of [1, 2]) {
+    await page.keyboard.press('l');
+    await page.keyboard.press('?');
+    expect(await isSelecting()).toBe('false');
+    expect(await sheet.count()).toBe(0);
+    await page.keyboard.press('Control+a');
+    await page.getByTitle('5 handles selected').waitFor();
+    await page.keyboard.press('Escape');
+    await page.reload();
+    await script.waitForNet();
+  }
+
+  await page.locator('canvas').first().focus();
+  const before = await script.screenPosition(0);
+  await page.keyboard.press('ArrowLeft');
+  await expect.poll(() => script.screenPosition(0)).not.toEqual(before);
+
+  await show();
+  expect(await single.isChecked()).toBe(false);
+  await single.click();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('l');
+  expect(await isSelecting()).toBe('true');
+});
+
 const showMe = ({ page }: Visit, what: RegExp) => page.getByRole('button', { name: what }).click();
 
 test('each paragraph is shown by the net', async () => {

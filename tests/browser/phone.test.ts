@@ -253,21 +253,7 @@ describe.each(SIZES)('%s', (name, viewport, isMobile) => {
 
   test('the picture stays where it is, whatever the solver says', async () => {
     const { page } = await visit();
-    const places = await page.evaluate(
-      (all) => {
-        const line = document.querySelector<HTMLElement>('.status-words')!;
-        const said = line.textContent;
-        const found = all.map((words) => {
-          line.textContent = words;
-          const isWhole = line.scrollHeight <= line.clientHeight;
-          return `${document.querySelector('#view')!.clientHeight} px, ${isWhole ? 'all' : 'a part'} of it is seen`;
-        });
-        line.textContent = said;
-        return [...new Set(found)];
-      },
-      [en, zh].flatMap(({ status }) => Object.values(status)),
-    );
-    expect(places).toEqual([expect.stringContaining(', all of it')]);
+    expect(await placesOf(page, '#view')).toEqual([expect.stringContaining(', all of it')]);
   });
 
   test('menus and dialogs', async () => {
@@ -463,3 +449,81 @@ test.each(['en', 'zh-CN'])(
     }
   },
 );
+
+/** Where a part of the page is while the solver says one thing and another, each place once, and how much is seen of what it says. */
+function placesOf(page: Page, part: string): Promise<string[]> {
+  return page.evaluate(
+    ({ part, all }) => {
+      const line = document.querySelector<HTMLElement>('.status-words')!;
+      const said = line.textContent;
+      const found = all.map((words) => {
+        line.textContent = words;
+        const { top, height } = document.querySelector(part)!.getBoundingClientRect();
+        const isWhole = line.scrollHeight <= line.clientHeight;
+        return `${height} px at ${top} px, ${isWhole ? 'all' : 'a part'} of it is seen`;
+      });
+      line.textContent = said;
+      return [...new Set(found)];
+    },
+    { part, all: [en, zh].flatMap(({ status }) => Object.values(status)) },
+  );
+}
+
+/** Lists within a part of the page that do not show one of their choices whole. */
+function cutLists(page: Page, part: string): Promise<string[]> {
+  return page.locator(`${part} select:visible`).evaluateAll((lists) => {
+    const pen = document.createElement('canvas').getContext('2d')!;
+    const ARROW = 20;
+    return (lists as HTMLSelectElement[]).flatMap((list) => {
+      const { font, paddingLeft, paddingRight } = getComputedStyle(list);
+      pen.font = font;
+      const room = list.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight) - ARROW;
+      const shown = [...list.options].filter((option) => !option.hidden).map(({ text }) => text);
+      return shown.filter((text) => pen.measureText(text).width > room);
+    });
+  });
+}
+
+test.each([
+  [360, 740],
+  [820, 1180],
+  [1280, 800],
+])(
+  'on a screen of %i by %i lists of choices are read whole, beside the net and on a surface',
+  async (width, height) => {
+    const { page } = await arrive('', { viewport: { width, height }, hasTouch: true, isMobile: true });
+    await allSections(page);
+    const fold = page.getByRole('button', { name: 'Controls', exact: true });
+    if (await fold.isVisible()) await fold.click();
+    expect(await cutLists(page, '.sections')).toEqual([]);
+    await page.getByRole('button', { name: 'On a surface…' }).click();
+    for (const net of ['piece', 'whole']) {
+      await page.locator('dialog label', { hasText: /^Net/ }).getByRole('combobox').selectOption(net);
+      expect(await cutLists(page, 'dialog'), net).toEqual([]);
+    }
+  },
+);
+
+test('below the last control of a section is room, whatever is hidden after it', async () => {
+  const { page } = await share();
+  const choice = page.getByRole('combobox', { name: 'The net' });
+  for (const behaviour of ['lengths', 'shape']) {
+    await choice.selectOption(behaviour);
+    const below = await choice.evaluate((list) => {
+      const section = list.closest('details')!;
+      const controls = [...section.children].filter((each) => each.checkVisibility());
+      const end = Math.max(...controls.map((each) => each.getBoundingClientRect().bottom));
+      return section.getBoundingClientRect().bottom - end;
+    });
+    expect(below, behaviour).toBeGreaterThanOrEqual(20);
+  }
+});
+
+test('the controls stay where they are, whatever the solver says', async () => {
+  const { page } = await arrive('', { hasTouch: true, isMobile: true });
+  for (const width of [740, 820, 1024, 1121, 1280]) {
+    await page.setViewportSize({ width, height: 800 });
+    await drawn(page);
+    expect(await placesOf(page, '.sections'), `${width} px`).toEqual([expect.stringContaining(', all of it')]);
+  }
+});

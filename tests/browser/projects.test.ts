@@ -171,6 +171,43 @@ test('what was done last is kept though the page is left at once', async () => {
   expect(await standing(script)).toEqual(left);
 });
 
+test('a turn of the camera writes the view alone, and is there after a reload, after a second one, too', async () => {
+  const visit = await arrive();
+  const { page, script } = visit;
+  await script.open({ recipe: 'vault:vertices=4000' });
+  await script.settled();
+  await expect.poll(() => kept(visit), PATIENCE).not.toEqual([]);
+  const turn = async (): Promise<string[]> => {
+    const before = await script.screenPosition(0);
+    const written = await page.evaluateHandle(() => {
+      const keys: string[] = [];
+      const { put } = IDBObjectStore.prototype;
+      IDBObjectStore.prototype.put = function (value: unknown, key?: IDBValidKey) {
+        keys.push(String(key));
+        return put.call(this, value, key);
+      };
+      return keys;
+    });
+    await page.locator('canvas').first().focus();
+    await page.keyboard.press('ArrowLeft');
+    await expect.poll(() => script.screenPosition(0)).not.toEqual(before);
+    await expect.poll(() => written.jsonValue(), PATIENCE).not.toEqual([]);
+    return written.jsonValue();
+  };
+  for (const _ of [1, 2]) {
+    const keys = await turn();
+    expect(keys.filter((key) => !key.startsWith('view '))).toEqual([]);
+    const seen = await script.screenPosition(0);
+    await page.reload();
+    await script.waitForNet();
+    await script.settled();
+    const again = await script.screenPosition(0);
+    expect(Math.hypot(again.x - seen.x, again.y - seen.y)).toBeLessThan(1);
+    // That it has been looked at, from which on turns are told.
+    await page.waitForTimeout(1000);
+  }
+});
+
 test('a net that has not come to rest is kept when a project takes its place', async () => {
   const visit = await arrive();
   const { page, script } = visit;

@@ -189,6 +189,11 @@ test('ends of colours set by hand come with the link, each field with its own; a
   expect(await low.evaluate((input: HTMLInputElement) => input.validity.valid)).toBe(true);
   expect(await ticks()).toEqual(['dL 1e-30', 'dL 1e-25']);
   await expect.poll(picture).not.toEqual(before);
+  await high.fill('0,5');
+  await high.press('Enter');
+  expect(await ticks()).toEqual(['dL 1e-30', 'dL 0.5']);
+  await high.fill('1e-25');
+  await high.press('Enter');
 
   await page.evaluate(() => window.chebnet.settled());
   const receiver = await arrive(await page.evaluate(() => window.chebnet.link()));

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "io/mesh_file.h"
@@ -73,17 +75,27 @@ void check_shape_report(const json& report) {
     CHECK(report.at("largest_corner_angle_degrees") <= 180);
 }
 
-/// The saddle z = x y over a square, of n × n vertices.
-void write_saddle(const Sandbox& box, const std::string& name, int n) {
-    Mesh mesh{Positions(3, n * n), {}};
+/// n × n vertices at(u, v) for u and v from 0 to 1; of a ring the first and the last for u are the same.
+template <class At>
+void write_grid(const Sandbox& box, const std::string& name, int n, bool is_ring, At at) {
+    const int columns = is_ring ? n - 1 : n;
+    Mesh mesh{Positions(3, columns * n), {}};
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
-            const double x = 2. * i / (n - 1) - 1, y = 2. * j / (n - 1) - 1;
-            mesh.positions.col(j * n + i) << x, y, x * y / 2;
+            const auto vertex = [&](int k, int l) { return l * columns + k % columns; };
+            if (i < columns) mesh.positions.col(vertex(i, j)) = at(i / (n - 1.), j / (n - 1.));
             if (i + 1 < n && j + 1 < n)
-                mesh.faces.add({j * n + i, j * n + i + 1, (j + 1) * n + i + 1, (j + 1) * n + i});
+                mesh.faces.add({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
         }
     box.write(name, write_obj(mesh.positions, mesh.faces));
+}
+
+/// The saddle z = x y / 2 over a square.
+void write_saddle(const Sandbox& box, const std::string& name, int n) {
+    write_grid(box, name, n, false, [](double u, double v) {
+        const double x = 2 * u - 1, y = 2 * v - 1;
+        return Eigen::Vector3d(x, y, x * y / 2);
+    });
 }
 
 /// A user sees exit code 2, nothing on standard output, and one line that holds `what`.
@@ -521,6 +533,43 @@ TEST_CASE("A net that comes with nearly closed quads is opened, and the report s
     CHECK_FALSE(left.contains("quads_beyond_shear_limit"));
 }
 
+TEST_CASE("solve and drag say where corners stay sharp, with methods that keep to the limit") {
+    const Sandbox box;
+    // Handles leave a sheet hardly more than its diagonal.
+    constexpr int n = 6;
+    Mesh sheet{Positions(3, n * n), {}};
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            sheet.positions.col(j * n + i) << i, j, 0;
+            if (i + 1 < n && j + 1 < n)
+                sheet.faces.add({j * n + i, j * n + i + 1, (j + 1) * n + i + 1, (j + 1) * n + i});
+        }
+    box.write("sheet.obj", write_obj(sheet.positions, sheet.faces));
+    const json apart = {edit_entry(0, {0, 0, 0}), edit_entry(n * n - 1, {7, 7, 0})};
+    box.write("apart.json", json{{"handles", apart}}.dump());
+    const Run drawn = box.run("solve sheet.obj --edit apart.json");
+    CHECK(drawn.exit_code == 0);
+    CHECK(drawn.json().at("max_dL") < 1e-6);
+    CHECK_THAT(drawn.err, Contains("25 quads have a corner sharper than 30 degrees"));
+    CHECK_THAT(box.run("solve sheet.obj --edit apart.json --method projection").err, !Contains("sharper"));
+    CHECK_THAT(box.run("solve sheet.obj --edit apart.json --shear-limit 0").err, !Contains("sharper"));
+    const Run held = box.run("drag sheet.obj --edit apart.json --frames 20");
+    CHECK(held.exit_code == 1);
+    CHECK(held.json().at("is_held_back") == true);
+    CHECK_THAT(held.err, !Contains("sharper"));
+
+    // Short edges of a kite allow its tip no more.
+    box.write("kite.obj", "v 0 0 0\nv 1 -0.08 0\nv 1.06 0 0\nv 1 0.08 0\nf 1 2 3 4\n");
+    box.write("tip.json", json{{"handles", {edit_entry(0, {0, 0, 0})}}}.dump());
+    for (const char* end : {"solve kite.obj --edit tip.json", "drag kite.obj --edit tip.json --frames 2"}) {
+        const Run run = box.run(end);
+        CHECK(run.exit_code == 0);
+        CHECK(run.json().at("status") == "converged");
+        CHECK(run.json().at("quads_beyond_shear_limit").at("now") == 1);
+        CHECK_THAT(run.err, Contains("1 quad has a corner sharper than 30 degrees"));
+    }
+}
+
 TEST_CASE("equalize and change say where corners stay sharp, and end with 0 as every edge has its length") {
     const Sandbox box;
     // A flat ring, its outer border three times as long as the inner one.
@@ -580,6 +629,14 @@ TEST_CASE("equalize gives all edges one length, reports and writes") {
     CHECK(info.at("mean_length").get<double>() == Approx(report.at("length").get<double>()));
     CHECK(box.run("equalize net.ply -o again.ply").json().at("iterations") == 0);
     CHECK(box.read("again.ply") == box.read("net.ply"));
+}
+
+TEST_CASE("equalize says that a border has cut a net") {
+    const Sandbox box;
+    box.run("drape --surface hemisphere --cells 60 --cut -o cut.obj");
+    CHECK_THAT(box.run("equalize cut.obj --method projection").err, Contains("a border has cut this net"));
+    box.run("drape --surface hemisphere --cells 60 -o whole.obj");
+    CHECK(box.run("equalize whole.obj").err.empty());
 }
 
 TEST_CASE("equalize takes a length, and vertices to hold") {
@@ -680,6 +737,7 @@ TEST_CASE("change gives a net other faces, exactly") {
     check_refused(box.run("change fine.obj melt"), "no change is called \"melt\"; known are ");
     check_refused(box.run("change fine.obj cut --line 0 700"), "--line");
     check_refused(box.run("change fine.obj delete_faces"), "no face");
+    check_refused(box.run("change kite.obj delete_faces --vertices 4"), "the net has no vertex 4, only 0 to 3");
 }
 
 TEST_CASE("change refuses a place that it would not read") {
@@ -705,6 +763,23 @@ TEST_CASE("change writes nothing where no net comes of it") {
     box.write("folded.obj", write_obj(folded.positions, folded.faces));
     check_refused(box.run("change folded.obj remove_line --line 2 7 -o out.obj"), "length zero");
     CHECK_FALSE(box.has("out.obj"));
+}
+
+TEST_CASE("drape tells that it lies on a noisy surface as that is without its noise") {
+    const Sandbox box;
+    unsigned state = 1;
+    const auto noise = [&state] {
+        state = state * 1664525u + 1013904223u;
+        return 0.03 * (state / 4294967296. - 0.5);
+    };
+    write_grid(box, "scan.obj", 41, false, [&](double u, double v) { return Eigen::Vector3d(u, v, noise()); });
+    const Run run = box.run("drape scan.obj --cells 1000");
+    INFO(run.err);
+    CHECK(run.exit_code == 0);
+    CHECK_THAT(run.err, Contains("the surface is rough"));
+    CHECK(run.json().at("net").at("coverage") > 0.98);
+    CHECK(run.json().at("net").at("mean_distance_in_lengths") > 0.02);
+    CHECK(box.run("drape --surface hypar --cells 300").err.empty());
 }
 
 TEST_CASE("drape lays a net on a surface, reports and writes") {
@@ -750,12 +825,15 @@ TEST_CASE("drape cuts a surface, lays a net on each piece, and reports of each a
     const json two = box.run(drape + "--cut-along \"-1,0.21,-0.1 1,0.33,0.1\" --out two.obj").json();
     CHECK(two.at("described").at("components") == 2);
     REQUIRE(two.at("pieces").size() == 2);
-    int cells = 0;
+    int cells = 0, cut_ends = 0;
     for (const json& piece : two.at("pieces")) {
         CHECK(piece.at("net").at("coverage") > 0.98);
         CHECK(piece.at("net").at("smallest_corner_angle_degrees") >= 30);
         cells += piece.at("net").at("cells").get<int>();
+        cut_ends += piece.at("net").at("rod_ends_cut_at_the_border").get<int>();
     }
+    CHECK(two.at("net").at("rod_ends_cut_at_the_border") == cut_ends);
+    CHECK(cut_ends > 0);
     CHECK(two.at("net").at("cells") == cells);
     CHECK(two.at("net").at("coverage") > 0.98);
     CHECK(two.at("net").at("max_dL") < 1e-12);
@@ -813,12 +891,15 @@ TEST_CASE("drape lets arms bend, or run along a curve, and says what came of it"
     write_saddle(box, "saddle.obj", 31);
     const std::string along = "drape saddle.obj --edge 0.1 --along \"-0.8,-0.3,0 0,0.1,0 0.8,-0.3,0\" ";
     CHECK(box.run(along).json().at("net").at("arms") == "curve");
-    CHECK(box.run(along + "--arms curve --pieces").json().at("pieces")[0].at("net").at("arms") == "curve");
+    const json pieces = box.run(along + "--arms curve --pieces").json();
+    CHECK(pieces.at("pieces")[0].at("net").at("arms") == "curve");
+    CHECK(pieces.at("net").at("arms") == "curve");
     check_refused(box.run(along + "--arms geodesic"), "--along is for --arms curve");
     check_refused(box.run("drape saddle.obj --edge 0.1 --arms curve"), "needs at least two points");
     check_refused(box.run("drape saddle.obj --edge 0.1 --arms bent"), "--arms");
     check_refused(box.run("drape saddle.obj --edge 0.1 --along \"0,0,0 0.01,0,0\""), "shorter than an edge");
     check_refused(box.run("drape saddle.obj --edge 0.1 --along \"0,0,0 0,0,4\""), "point 2 of the curve");
+    check_refused(box.run("drape saddle.obj --edge 0.1 --along \"\""), "--along: has no points");
 }
 
 TEST_CASE("drape takes surfaces of our own, and begins in the middle") {
@@ -838,6 +919,11 @@ TEST_CASE("drape takes surfaces of our own, and begins in the middle") {
             box.run(std::string("drape cube.obj --cells 100 --seed 1 0.5 0.5") + options).json().at("net").at("cells") >
             10);
     check_refused(box.run("drape cube.obj --cells 100 --seed nan 0 0"), "the seed has a coordinate that is not finite");
+    check_refused(box.run("drape cube.obj --cells 100 --seed 1000 0 0"), "the seed is 999");
+    check_refused(box.run("drape cube.obj --cells 100 --seed 1 0.5 0.5 --seed 0 0 1000 --pieces"), "seed 2 is");
+    check_refused(box.run("drape cube.obj --cells 100 --direction 0 0 0"), "has no length");
+    check_refused(box.run("drape cube.obj --cells 100 --seed 1 0.5 0.5 4 5"), "not expected");
+    check_refused(box.run("drape cube.obj --cells 100 --seed 1 0.5 0.5 0 0 1"), "not expected");
 
     const json middle = box.run("drape --surface torso --cells 300").json();
     const json best = box.run("drape --surface torso --cells 300 --best").json();
@@ -870,6 +956,9 @@ TEST_CASE("what cannot be draped is refused with one line") {
     check_refused(box.run(drape + "--direction 1 0 0 --edge 0.1 --shear-limit 95"), "shear limit");
     check_refused(box.run(drape + "--direction 1 0 0 --edge 0.1 -o net.3dm"), "net.3dm");
     check_refused(box.run("drape dome.obj --seed 0 0 0 --direction 1 0 0 --edge 1"), "dome.obj");
+    box.write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+    check_refused(box.run("drape line.obj --edge 0.2"), "line.obj: the surface has no area");
+    check_refused(box.run("remesh line.obj --cells 9 --repair"), "line.obj: the surface has no area");
     box.write("twisted.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n");
     const std::string twisted = "drape twisted.obj --seed 0 0 0 --direction 1 1 0 --edge 0.2";
     check_refused(box.run(twisted), "twisted.obj: the two faces at edge 0-1 wind against each other");
@@ -934,6 +1023,23 @@ TEST_CASE("remesh ends nets in a net line at the border if it is told to, or nev
     CHECK(coverage("--border across") > coverage("--border always"));
     CHECK(coverage("--border outer") == coverage("--border always"));  // it has no hole
     CHECK(coverage("") == coverage("--border fitting"));
+}
+
+TEST_CASE("remesh tells of a net that lies in folds, and of the way out, which leads to one that does not") {
+    const Sandbox box;
+    write_grid(box, "tower.obj", 41, true, [](double u, double v) {
+        const double turn = 2 * std::numbers::pi * u, z = 2.4 * v - 1.6, r = std::hypot(0.6, z / 1.5);
+        return Eigen::Vector3d(r * std::cos(turn), r * std::sin(turn), z);
+    });
+    const std::string remesh = "remesh tower.obj --cells 250 ";
+    const Run held = box.run(remesh + "--border always"), fitting = box.run(remesh);
+    INFO(held.err);
+    CHECK(held.exit_code == 0);
+    CHECK_THAT(held.err, Contains("crumpled") && Contains("--border fitting"));
+    CHECK(held.json().at("net").at("folds_over_60_degrees") > 0);
+    CHECK(fitting.exit_code == 0);
+    CHECK(fitting.err.empty());
+    CHECK(fitting.json().at("net").at("folds_over_60_degrees") == 0);
 }
 
 TEST_CASE("remesh takes wishes for singular vertices, and reports which were kept") {
@@ -1073,6 +1179,8 @@ TEST_CASE("bad usage is refused with one line") {
     check_refused(box.run(solve + "--set colour=red"), "colour");
     check_refused(box.run(solve + "--set p_end=nan"), "p_end");
     check_refused(box.run(solve + "--set adaptive_p"), "key=value");
+    check_refused(box.run(solve + "--shear-limit 20 --set shear_limit=40"), "option shear_limit is given twice");
+    check_refused(box.run(solve + "--set threshold=1e-3 --set threshold=1e-9"), "option threshold is given twice");
     check_refused(box.run("solve --set p_end=30 " + k_recipe + " --edit pull.json"), k_recipe);
     check_refused(box.run(drag), "--frames");
     check_refused(box.run(drag + "--frames 0"), "--frames");
@@ -1173,6 +1281,8 @@ TEST_CASE("output that cannot be written is refused") {
     check_refused(box.run("make dome -o no/such/folder.obj"), "no/such/folder.obj");
     check_refused(box.run(solve + "-o no/such/folder.obj"), "no/such/folder.obj");
     check_refused(box.run(solve + "--trace no/such/folder.csv"), "no/such/folder.csv");
+    check_refused(box.run(solve + "--trace table.csv --edges ./table.csv"), "table.csv: is to be written twice");
+    check_refused(box.run("info dome --edges table.csv --rods table.csv"), "table.csv: is to be written twice");
     check_refused(box.run("solve " + k_recipe + " --edit missing.json"), "missing.json");
     if (std::filesystem::exists("/dev/full")) check_refused(box.run("info dome", "/dev/full"), "standard output");
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 #include <string>
@@ -163,6 +165,47 @@ TEST_CASE("A finer net is exact, near the shape that was, and within the limit o
           std::min(corner_angle_range(net, net.rest_positions()).smallest, std::numbers::pi / 6) - 1e-6);
     REQUIRE(exact.report.distance);
     CHECK(exact.report.distance->largest < 0.5);
+}
+
+TEST_CASE("Triangles become four, exact at once or beside quads, larger faces of a net of one length nothing") {
+    // A strip of triangles, bent at each edge between two.
+    Positions x(3, 8);
+    Faces triangles;
+    const double height = std::sqrt(3) / 2;
+    for (int k = 0; k < 8; ++k) x.col(k) << 0.5 * k, k % 2 * height, 0;
+    for (int k = 0; k + 2 < 8; ++k) triangles.add({k, k + 1 + k % 2, k + 2 - k % 2});
+    const Net net(x, triangles);
+    REQUIRE(net.is_chebyshev());
+    const ChangedMesh finer = changed(net, "refine");
+    CHECK(finer.keeps_edges);
+    check_origins(net, finer);
+    const Net fine = net_of(finer);
+    CHECK(fine.vertex_count() == net.vertex_count() + net.edge_count());
+    CHECK(faces_by_arity(fine.faces()) == std::map<int, int>{{3, 4 * net.face_count()}});
+    CHECK(fine.is_chebyshev());
+    CHECK(fine.mean_length() == Approx(0.5));
+    CHECK(repair(finer.mesh, {}).findings.empty());
+
+    // A quad with a triangle on one side.
+    Positions house(3, 5);
+    house << 0, 1, 1, 0.5, 0, 0, 0, 1, 1 + height, 1, 0, 0, 0, 0, 0;
+    Faces two;
+    two.add({0, 1, 2, 4});
+    two.add({4, 2, 3});
+    const Net mixed(house, two);
+    const ChangedMesh parts = changed(mixed, "refine");
+    CHECK(faces_by_arity(parts.mesh.faces) == std::map<int, int>{{3, 4}, {4, 4}});
+    CHECK(made_exact(mixed, parts).report.status == Status::converged);
+
+    Positions pentagon(3, 5);
+    for (int k = 0; k < 5; ++k)
+        pentagon.col(k) << std::cos(2 * std::numbers::pi * k / 5), std::sin(2 * std::numbers::pi * k / 5), 0;
+    Faces one;
+    one.add({0, 1, 2, 3, 4});
+    CHECK_THAT(change_refusal(Net(pentagon, one), "refine"), Catch::Contains("face 0 has 5 corners"));
+    // With a length each edge keeps what it gets.
+    pentagon.row(0) *= 2;
+    CHECK(changed(Net(pentagon, one), "refine").mesh.faces.size() == 5);
 }
 
 TEST_CASE("Folded lines stay folded in a finer net") {
@@ -373,13 +416,17 @@ TEST_CASE("Rows are put in and taken out also where faces on the two sides are w
     }
 }
 
-TEST_CASE("A net of quads alone that a border has cut is made neither finer nor coarser") {
+TEST_CASE("A net of quads alone that a border has cut is made neither finer nor coarser, and gets and loses no rows") {
     const Net whole = samples::patch(9, 9, 0);
     Positions x = whole.rest_positions();
     x.row(0) = x.row(0).cwiseMin(7.15);
     x.row(1) = x.row(1).cwiseMin(7.03);
     const Net cut(x, whole.faces());
     for (const char* way : {"refine", "coarsen"}) CHECK_THAT(change_refusal(cut, way), Catch::Contains("rods are cut"));
+    const std::vector<int> across = path(cut, {36, 37, 38, 39, 40, 41, 42, 43, 44});
+    for (const char* way : {"insert_row", "remove_line"})
+        CHECK_THAT(change_refusal(cut, way, across), Catch::Contains("rods are cut"));
+    CHECK_THAT(change_refusal(cut, "add_row", border(cut)), Catch::Contains("rods are cut"));
     // Wider at the border is not cut there.
     x.row(0) = (x.row(0).array() > 7).select(8, whole.rest_positions().row(0));
     x.row(1) = (x.row(1).array() > 7).select(9, whole.rest_positions().row(1));
@@ -450,6 +497,17 @@ TEST_CASE("Joining takes a cut back, and closes what was brought together") {
         both.add(face);
     }
     CHECK(net_of(changed(Net(doubled, both), "join")).vertex_count() == 2 * net.vertex_count() - 14);
+}
+
+TEST_CASE("A border of edges that are short beside others is no two borders, and a cut beside it is joined") {
+    const Net even = samples::patch(9, 5, 0);
+    Positions x = even.rest_positions();
+    for (double& along : x.row(0)) along = along < 4 ? 0.02 * along : along - 3.92;
+    const Net net(x, even.faces(), RestLengths::own);
+    CHECK_THAT(change_refusal(net, "join"), Catch::Contains("drag them together"));
+    const Mesh two = changed(net, "cut", path(net, {6, 15, 24, 33, 42})).mesh;
+    CHECK(two.positions.cols() == net.vertex_count() + 5);
+    CHECK(changed(Net(two.positions, two.faces, RestLengths::own), "join").mesh.positions == x);
 }
 
 TEST_CASE("Borders that would meet three at an edge are not joined, which is said without numbers of what would be") {

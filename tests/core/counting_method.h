@@ -15,7 +15,7 @@ public:
         ++m_prepared;
         m_method->prepare(problem);
     }
-    bool knows_pulls() const override { return m_method->knows_pulls(); }
+    Heeds heeds() const override { return {.pulls = m_method->heeds().pulls}; }
     Status start(const Problem& problem, Positions& x, const Options& options) override {
         return m_method->start(problem, x, options);
     }

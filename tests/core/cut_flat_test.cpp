@@ -21,6 +21,7 @@ using namespace chebnet;
 namespace {
 
 Net of_equal_edges(const Mesh& mesh) { return Net(mesh.positions, mesh.faces, RestLengths::equal); }
+Net of_equal_edges(const Net& net) { return of_equal_edges(Mesh{net.rest_positions(), net.faces()}); }
 
 /// What the cut net is, and how it lies.
 struct Unfolded {
@@ -75,16 +76,16 @@ Net moebius_strip(int around, int across) {
 }  // namespace
 
 TEST_CASE("A tube is cut open along one line, a torus along two, a Moebius strip across") {
-    const Unfolded tube = unfolded(samples::ring(12, 8, false));
+    const Unfolded tube = unfolded(of_equal_edges(samples::ring(12, 8, false)));
     CHECK(tube.net.vertex_count() == 13 * 8);
     CHECK(tube.pattern.pieces.size() == 1);
     CHECK(std::minmax(tube.pattern.columns, tube.pattern.rows) == std::minmax(12, 7));
 
-    const Unfolded torus = unfolded(samples::ring(12, 8, true));
+    const Unfolded torus = unfolded(of_equal_edges(samples::ring(12, 8, true)));
     CHECK(torus.net.vertex_count() == 13 * 9);
     CHECK(torus.pattern.pieces.size() == 1);
 
-    const Unfolded strip = unfolded(moebius_strip(20, 3));
+    const Unfolded strip = unfolded(of_equal_edges(moebius_strip(20, 3)));
     CHECK(strip.net.vertex_count() == 21 * 4);
     CHECK(strip.pattern.pieces.size() == 1);
 }
@@ -141,14 +142,38 @@ TEST_CASE("Squares that wind up around a vertex at the border are parted") {
 
 TEST_CASE("A net that lies flat, and one of other faces than quads, are not cut") {
     CHECK_THAT(refusal(samples::patch(5, 4)), Catch::Contains("lies flat as a square grid as it is"));
-    Positions x(3, 7);
-    Faces hexagon_of_triangles;
-    x.col(0).setZero();
-    for (int i = 0; i < 6; ++i) {
-        x.col(i + 1) << std::cos(EIGEN_PI * i / 3), std::sin(EIGEN_PI * i / 3), 0;
-        hexagon_of_triangles.add({0, i + 1, (i + 1) % 6 + 1});
+    // A pentagon in five quads.
+    Positions x(3, 11);
+    Faces quads;
+    x.col(10).setZero();
+    for (int k = 0; k < 5; ++k) {
+        const double angle = 2 * EIGEN_PI * k / 5;
+        x.col(k) << std::cos(angle), std::sin(angle), 0;
+        x.col(5 + k) << std::cos(angle + 0.6), std::sin(angle + 0.6), 0;
+        quads.add({10, 5 + (k + 4) % 5, k, 5 + k});
     }
-    const Net triangles(x, hexagon_of_triangles);
-    const Net finer = of_equal_edges(find_change("refine").make(triangles, {}).mesh);
-    CHECK(unfolded(finer).pattern.pieces.size() <= 6);
+    CHECK(unfolded(Net(x, quads, RestLengths::equal)).pattern.pieces.size() <= 5);
+}
+
+TEST_CASE("A net of edges of different lengths lies flat in no pieces") {
+    for (const bool is_torus : {false, true}) {
+        const Net ring = samples::ring(12, 8, is_torus);
+        const Positions wide = Eigen::Vector3d(1, 1.2, 1).asDiagonal() * ring.rest_positions();
+        CHECK_THAT(refusal(Net(wide, ring.faces())), Catch::Contains("differ in length"));
+    }
+}
+
+TEST_CASE("A face alone that is no quad does not lie flat as a square grid") {
+    for (const int corners : {3, 5}) {
+        Positions x(3, corners);
+        std::vector<int> face;
+        for (int k = 0; k < corners; ++k) {
+            const double angle = 2 * std::acos(-1) * k / corners;
+            x.col(k) << std::cos(angle), std::sin(angle), 0;
+            face.push_back(k);
+        }
+        Faces faces;
+        faces.add(face);
+        CHECK_THAT(refusal(Net(x, faces)), Catch::Contains("face 0 is no quad"));
+    }
 }

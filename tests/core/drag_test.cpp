@@ -1,5 +1,7 @@
 // A handle in hand (Editor::drag_handle): every frame a net, and held back where none leads to where the hand is.
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "edit/editor.h"
 #include "net/measures.h"
@@ -244,6 +246,21 @@ TEST_CASE("Handles that a solve is drawing are at their targets once another one
     CHECK(taken.editor.handle_error() == 0);
 }
 
+TEST_CASE("Handles that slide are where their vertices stand while a solve is drawing others") {
+    Taken taken;
+    std::vector<Handle> handles = taken.editor.handles();
+    handles[0].slides = 0b011;
+    taken.editor.set_handles(handles);
+    taken.editor.move_handle(k_handle, taken.crown + Eigen::Vector3d(-2, 0, 0));
+    int drawn = 0;
+    for (SolveReport report; report.status == Status::running;) {
+        report = taken.editor.solve({.iterations = 1});
+        drawn += static_cast<int>(taken.editor.draws_handles());
+        CHECK(taken.editor.handle_error() == 0);
+    }
+    CHECK(drawn > 0);
+}
+
 TEST_CASE("The present state is no other while a solve is drawing handles, and the net grows from where it is") {
     const Eigen::Vector3d target = Taken().crown + Eigen::Vector3d(-2, 0, 0);
     Taken taken = drawn_to(target);
@@ -299,4 +316,85 @@ TEST_CASE("A trace tells of a net only once handles that a solve draws to their 
         CHECK(report.trace.back().max_deviation > k_a_net);
     }
     CHECK(drawn > 0);
+}
+
+TEST_CASE("Drag: a tube that was twisted by hand is at rest once its handles are home and let go") {
+    constexpr int around = 12, rows = 9;
+    Positions rest(3, around * rows);
+    for (int v = 0; v < rest.cols(); ++v) {
+        const double angle = 2 * EIGEN_PI * v / around, radius = 0.5 / std::sin(EIGEN_PI / around);
+        rest.col(v) << radius * std::cos(angle), radius * std::sin(angle), v / around;
+    }
+    const Net tube(rest, samples::ring(around, rows, false).faces());
+    const double L = tube.mean_length();
+    std::vector<int> held, turned;
+    for (int i = 0; i < around; ++i) {
+        held.push_back(i);
+        turned.push_back((rows - 1) * around + i);
+    }
+    held.insert(held.end(), turned.begin(), turned.end());
+    Editor editor(tube);
+    editor.set_handles(samples::handles_at_rest(tube, held));
+    editor.solve();
+    const auto turn_to = [&](double part) {
+        const Eigen::AngleAxisd turn(2 * EIGEN_PI * part, Eigen::Vector3d::UnitZ());
+        for (const int v : turned)
+            editor.drag_handle(v, turn * Eigen::Vector3d(rest.col(v)) - Eigen::Vector3d(0, 0, 2.5 * L * part));
+        editor.solve({.iterations = 3});
+        CHECK(max_deviation(tube, editor.positions()) < k_a_net);
+    };
+    for (int frame = 1; frame <= 16; ++frame) turn_to(frame / 16.);
+    for (int frame = 15; frame > 0; --frame) turn_to(frame / 16.);
+    for (const int v : turned) editor.drag_handle(v, rest.col(v));
+    editor.release_handles();
+    CHECK(editor.solve().status == Status::converged);
+    CHECK((editor.positions() - rest).colwise().norm().maxCoeff() < 1e-3 * L);
+    // What is there already stays.
+    const Positions home = editor.positions();
+    CHECK(editor.solve().iterations == 0);
+    CHECK((editor.positions() - home).cwiseAbs().maxCoeff() < 1e-12);
+}
+
+TEST_CASE("Drag: every frame of a hand is a net, wherever its budget ends") {
+    const Net strip = samples::patch(5, 2, 0);
+    const int budget = GENERATE(1, 2, 3, 4, 5, 6, 7, 8);
+    Editor editor(strip);
+    editor.set_handles(samples::handles_at_rest(strip, {0, 4, 7}));
+    editor.solve();
+    const Eigen::Vector3d from = editor.positions().col(7), step(0.2317, 0.0509, 0.0689);
+    for (int frame = 1; frame <= 6; ++frame) {
+        editor.drag_handle(7, from + frame * step);
+        for (int call = 0; call < 4; ++call) {
+            editor.solve({.iterations = budget});
+            CAPTURE(budget, frame, call);
+            CHECK(max_deviation(strip, editor.positions()) < k_a_net);
+        }
+    }
+}
+
+TEST_CASE("Drag: while the corners of a rest shape are being opened the hand has the last net") {
+    const double lean = 25 * EIGEN_PI / 180;
+    Net flat = samples::patch(9, 9, 0);
+    Positions leaning = flat.rest_positions();
+    const double L = flat.mean_length();
+    for (auto x : leaning.colwise())
+        x.head(2) = Eigen::Vector2d(x.x() + x.y() * std::cos(lean), x.y() * std::sin(lean));
+    const Net net(leaning, flat.faces());
+    REQUIRE(corner_angle_range(net, leaning).smallest < 30 * EIGEN_PI / 180);
+    Editor editor(net);
+    editor.set_handles(samples::handles_at_rest(net, {0, 80}));
+    constexpr int opening = 4;
+    int frames = 0;
+    Status status = Status::running;
+    for (int frame = 1; status == Status::running; ++frame) {
+        if (frame <= 5) editor.drag_handle(80, leaning.col(80) + Eigen::Vector3d(0, 0, 0.1 * L * frame));
+        const SolveReport report = editor.solve({.iterations = 1});
+        status = report.status;
+        if (report.trace.back().stage != opening) continue;
+        ++frames;
+        CHECK(max_deviation(net, editor.positions()) < k_a_net);
+    }
+    CHECK(frames > 1);
+    CHECK(max_deviation(net, editor.positions()) < k_a_net);
+    CHECK(corner_angle_range(net, editor.positions()).smallest > 29.5 * EIGEN_PI / 180);
 }

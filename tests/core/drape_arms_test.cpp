@@ -292,11 +292,31 @@ TEST_CASE("A curve that no arm can follow is refused with a sentence") {
     Positions ends(3, 2);
     ends << 0, 0.05, 0, 0, 0, 0;
     CHECK_THAT(refusal(ends), Contains("bad_option") && Contains("shorter than an edge"));
+    CHECK_THAT(refusal(ends.leftCols(1).replicate(1, 2)), Contains("bad_option") && Contains("has no length"));
     CHECK_THAT(refusal(ends.leftCols(1)), Contains("bad_option") && Contains("two points"));
     ends(2, 1) = 5;
     CHECK_THAT(refusal(ends), Contains("bad_option") && Contains("point 2 of the curve"));
     ends(2, 1) = std::numeric_limits<double>::infinity();
     CHECK_THAT(refusal(ends), Contains("non_finite"));
+}
+
+TEST_CASE("A curve that turns back along itself is refused, wherever the seed is, and a sharp bend is not") {
+    const Surface plane(samples::plane(20, 1));
+    DrapeOptions options;
+    options.length = 0.1;
+    options.arms = Arms::curve;
+    const auto along = [&](const Eigen::Vector3d& end) {
+        options.along = Positions(3, 3);
+        options.along << Eigen::Vector3d(-0.8, 0.03, 0), Eigen::Vector3d(0.7, 0.03, 0), end;
+        return drape(plane, SurfaceTree(plane), options);
+    };
+    for (const double seed : {-0.5, 0., 0.7}) {
+        CAPTURE(seed);
+        options.seed = {seed, 0, 0};
+        CHECK_THROWS_WITH(along({-0.8, 0.03, 0}), Contains("turns back along itself"));
+        CHECK_THROWS_WITH(along({0.2, 0.03, 0}), Contains("turns back along itself"));
+        CHECK(along({0.6, 0.8, 0}).net.face_count() > 100);
+    }
 }
 
 TEST_CASE("Of pieces that which has the curve follows it, and a curve over several is refused") {

@@ -108,6 +108,14 @@ TEST_CASE("Rods cut at a seam end on it, from either side") {
         CHECK(piece.drape.cut_ends > 10);
     }
     CHECK(made.report.coverage == Approx(1));
+
+    REQUIRE(made.draped.size() == 2);
+    const Drape &one = made.draped[0].drape, &other = made.draped[1].drape;
+    CHECK(made.cut_ends == one.cut_ends + other.cut_ends);
+    CHECK(made.locked == one.locked + other.locked);
+    REQUIRE(made.places.cols() == made.net.vertex_count());
+    CHECK(made.places.leftCols(one.places.cols()) == one.places);
+    CHECK(made.places.rightCols(other.places.cols()) == other.places);
 }
 
 TEST_CASE("No net lies on another along a cut, nor on itself along a slit") {
@@ -258,6 +266,32 @@ TEST_CASE("No rod goes across a slit that bends, nor is cut longer than it was")
         CHECK(made.net.rest_lengths().maxCoeff() < 1.001 * std::numbers::sqrt2 * length);
         CHECK(made.report.coverage > 0.98);
     }
+}
+
+TEST_CASE("A net goes on beside bent slits and around their ends where it could not before it had come round") {
+    const Surface square(samples::plane(21, 1));
+    PiecesOptions options = wish(0.2, Border::cut);
+    options.first_seed = true;
+    options.drape.angle = std::numbers::pi / 3;
+    options.drape.seed = {0.2092213481359767, -0.32239682354384713, 0};
+    options.drape.direction = {-0.6478820001863277, -0.7460132115377993, 0};
+    const Surface bent = cut_along(square, {{1, -0.3747115386575236, 0},
+                                            {-0.13214533297694742, -0.04514574958711137, 0},
+                                            {-0.4666988492102582, 0.33604231611236035, 0}});
+    CHECK(drape_pieces(bent, options).report.coverage > 0.999);
+
+    // Here two vertices at one place come to be beside a third: an edge of three faces would be none.
+    options = wish(0.13, Border::cut);
+    options.first_seed = true;
+    options.drape.angle = 5 * std::numbers::pi / 12;
+    options.drape.seed = {0.6649301597891516, -0.0700891672802586, 0};
+    options.drape.direction = {0.4984969577210772, 0.8668914483041291, 0};
+    const SurfaceTree tree(square);
+    const Surface twice = cut_open(
+        square,
+        {{cut_line(square, tree, points({{1, 0.8239583566892384, 0}, {-0.0764312147323396, -0.48220276876734014, 0}})),
+          cut_line(square, tree, points({{1, -0.2975156871729766, 0}, {0.6418748710772847, -0.515310082039947, 0}}))}});
+    CHECK(drape_pieces(twice, options).report.coverage > 0.95);
 }
 
 TEST_CASE("A slit parts what is on its two sides, also on the slit itself and beyond the border") {

@@ -8,18 +8,19 @@
 #include <numbers>
 #include <random>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "constants.h"
 #include "drape/bridged_drape.h"
 #include "drape/opened_corners.h"
 #include "drape/proposals.h"
+#include "drape/surface_report.h"
 #include "edit/editor.h"
 #include "mesh_files.h"
 #include "net/measures.h"
 #include "sample_nets.h"
 #include "sample_surfaces.h"
-#include "surface/curvature.h"
 #include "surface/gallery.h"
 #include "surface/height.h"
 
@@ -169,6 +170,22 @@ TEST_CASE("The families keep their angle in a plane") {
     CHECK(report.smallest_angle == Approx(samples::k_pi / 3));
     CHECK(report.largest_angle == Approx(2 * samples::k_pi / 3));
     CHECK(report.coverage == Approx(1));
+}
+
+TEST_CASE("A plane is covered with every corner at the limit, on either side, and with corners sharper than usual") {
+    const auto border = GENERATE(DrapeOptions::Border::beyond, DrapeOptions::Border::cut);
+    const auto [limit, angle] =
+        GENERATE(table<double, double>({{30, 30}, {30, 150}, {45, 45}, {45, 135}, {10, 20}, {10, 160}, {8, 8}}));
+    CAPTURE(limit, angle);
+    DrapeOptions options;
+    options.border = border;
+    options.length = 0.1;
+    options.smallest_angle = limit * samples::k_pi / 180;
+    options.angle = angle * samples::k_pi / 180;
+    const auto [drape, report] = draped(samples::plane(5, 1), options);
+    CHECK(drape.locked == 0);
+    CHECK(drape.met == 0);
+    CHECK(report.coverage > 0.97);
 }
 
 TEST_CASE("Half a cylinder is draped as the plane it unrolls to") {
@@ -332,6 +349,20 @@ TEST_CASE("Every surface of our own takes a net from the middle, as its sentence
         CHECK(result.net.face_count() > 600);
     }
     CHECK_THROWS_WITH(make_own_surface("plain"), Contains("no surface is called") && Contains("hypar"));
+}
+
+TEST_CASE("A net does not begin on the border of a hole in the middle, but beside it, and goes on around the hole") {
+    const double hole = GENERATE(0.02, 0.1, 0.25);  // a fine one is passed over, a large one is gone around
+    const Surface dome(samples::quads(64, 24, true, false, [&](int i, int j) {
+        const double r = 10 * (hole + (1 - hole) * j / 23), angle = 2 * samples::k_pi * i / 64;
+        return Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), -r * r / 40);
+    }));
+    const SurfaceTree tree(dome);
+    const DrapeOptions middle = suggested_drape(dome, tree, 600);
+    CAPTURE(hole, middle.seed.transpose());
+    CHECK(middle.seed.norm() < 10 * hole + 4.5 * middle.length);
+    CHECK(middle.seed.head(2).norm() > 10 * hole + 0.5 * middle.length);
+    CHECK(measure_drape(dome, tree, drape(dome, tree, middle).net).coverage > 0.97);
 }
 
 TEST_CASE("Shear and rods of a slanted net in a plane are those of its cells") {
@@ -551,6 +582,30 @@ TEST_CASE("Where a net locks it may leave the surface, as far as is asked for") 
     CHECK_THROWS_WITH(bridged_drape(guide, options, 11), Contains("10 edge lengths"));
 }
 
+TEST_CASE("A net that leaves the surface where it locks does not lie on itself") {
+    std::vector<Surface> surfaces;
+    surfaces.emplace_back(samples::sphere(16));
+    surfaces.emplace_back(samples::torus(60, 30, 2, 0.9));
+    surfaces.emplace_back(samples::rough_sphere(10, 0.05));
+    int left = 0;
+    for (Surface& surface : surfaces) {
+        const auto guide = std::make_shared<const Guide>(std::move(surface));
+        for (const int cells : {400, 800}) {
+            const DrapeOptions options = suggested_drape(guide->surface(), guide->tree(), cells);
+            const Drape bridged = bridged_drape(guide, options, 2);
+            left += heights_over(*guide, bridged.net.rest_positions()).cwiseAbs().maxCoeff() > 0.01 * options.length;
+            const Positions& x = bridged.net.rest_positions();
+            int close = 0;
+            for (int a = 0; a < x.cols(); ++a)
+                for (int b = 0; b < a; ++b)
+                    close += (x.col(a) - x.col(b)).norm() < 0.7 * options.length &&
+                             (bridged.places.col(a) - bridged.places.col(b)).cwiseAbs().sum() > 2;
+            CHECK(close == 0);
+        }
+    }
+    CHECK(left > 3);
+}
+
 TEST_CASE("Sharp corners are opened on the surface, and nothing else is moved") {
     const auto guide = std::make_shared<const Guide>(Surface(samples::plane(9, 1)));
     const auto slanted = [](double angle) {
@@ -629,6 +684,22 @@ TEST_CASE("Where corners are opened a net keeps to the border of the surface as 
         }
     }
     CHECK(opened > 0);
+}
+
+TEST_CASE("A narrow strip that is bare for the most part has an open border, one that is covered has none") {
+    // Every place of it is beside its border.
+    const Mesh strip = samples::quads(
+        60, 4, false, false, [](int i, int j) { return Eigen::Vector3d(i / 10., j / 10., 0.02 * std::sin(i)); });
+    DrapeOptions options;
+    options.seed = {3, 0.2, 0};
+    options.length = 0.19;
+    CHECK(draped(strip, options).report.gaps == 0);
+    CHECK(draped(strip, options).report.open_border == 0);
+    options.reach = 5;
+    const DrapeReport report = draped(strip, options).report;
+    CHECK(report.coverage < 0.5);
+    CHECK(report.gaps == 2);
+    CHECK(report.open_border >= 4 * options.length);
 }
 
 TEST_CASE("Slits and gaps are told by the border that is open inside, though a slit counts as covered") {

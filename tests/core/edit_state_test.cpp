@@ -288,3 +288,31 @@ TEST_CASE("A state with the same handles, method and locality keeps the symbolic
     solve_moved(state);
     CHECK(prepared == 5);
 }
+
+TEST_CASE("A state is taken as it is, also where its positions are the present ones and its lengths are not") {
+    Editor first(net());
+    first.set_handles(samples::handles_at_rest(net(), {0}));
+    first.set_option("length_scale", "1.3");
+    first.set_positions(net().rest_positions());
+    first.set_locality(3, std::vector{0});
+    const EditState state = first.state();
+    Editor second(net()), third(net());
+    third.set_positions(2 * net().rest_positions());
+    for (Editor* editor : {&second, &third}) {
+        editor->set_state(state);
+        check_same(editor->state(), state);
+        CHECK(editor->region());
+        editor->solve();
+    }
+    CHECK(second.positions() == third.positions());
+
+    // The same of a change of the present state, in which the net grows.
+    Editor changed(net());
+    EditState longer = changed.state();
+    longer.options.length_scale = 1.3;
+    changed.change_state(longer);
+    CHECK(changed.positions() != longer.positions);
+    CHECK(changed.solve().iterations == 0);
+    changed.set_state(longer);
+    CHECK(changed.positions() == longer.positions);
+}

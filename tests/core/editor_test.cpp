@@ -2,8 +2,11 @@
 
 #include <catch2/catch.hpp>
 #include <limits>
+#include <random>
 
 #include "base/error.h"
+#include "base/number.h"
+#include "constants.h"
 #include "counting_method.h"
 #include "net/measures.h"
 #include "sample_nets.h"
@@ -190,6 +193,31 @@ TEST_CASE("What is refused is quoted in a line that can be read") {
           line_of([&] { make_method(text); }), line_of([&] { Initialisation{text}; })}) {
         CHECK(line.find("\"????xxx") != line.npos);
         CHECK(line.size() < 500);
+    }
+}
+
+TEST_CASE("The limit of corners is an angle, and its text a number of degrees, which comes back as it was") {
+    Options options;
+    CHECK(get_option(options, "shear_limit") == 30);
+    for (int hundredths = 0; hundredths <= 6000; ++hundredths) {
+        const double degrees = hundredths / 100.0;
+        set_option(options, "shear_limit", exact_text(degrees));
+        REQUIRE(options.shear_limit == degrees * samples::k_degree);
+        REQUIRE(get_option(options, "shear_limit") == degrees);
+    }
+    options.shear_limit = samples::k_pi / 3;
+    check_options(options);
+    for (const char* bad : {"-0.1", "60.01"})
+        CHECK(code_of([&] { set_option(options, "shear_limit", bad); }) == ErrorCode::bad_option);
+}
+
+TEST_CASE("An angle of any digits stays the same by way of its text") {
+    std::mt19937 random(1);
+    for (int k = 0; k < 10000; ++k) {
+        Options options, other;
+        set_option(options, "shear_limit", exact_text(60.0 * random() / std::mt19937::max()));
+        set_option(other, "shear_limit", exact_text(get_option(options, "shear_limit")));
+        REQUIRE(other == options);
     }
 }
 

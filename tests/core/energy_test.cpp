@@ -126,6 +126,15 @@ TEST_CASE("Every energy has its own value, and none at r = 1") {
     }
 }
 
+TEST_CASE("How flat an energy is near the solution is told by its slope beside that of a quadratic one") {
+    constexpr double dL = 1e-6, r = 1 + 1e-3;
+    for (const double p : {2., 3., 4., 8.})
+        CHECK(LengthPowerEnergy(p).relative_slope(dL) ==
+              Approx(LengthPowerEnergy(p).slope(r) / LengthPowerEnergy(2).slope(r)));
+    CHECK(LengthPowerEnergy(1.5).relative_slope(dL) == 1);
+    CHECK(PowerEnergy(50).relative_slope(dL) == 1);
+}
+
 TEST_CASE("Slope, true Hessian and gradient block agree with finite differences") {
     const unsigned seed = std::random_device{}();
     CAPTURE(seed);

@@ -115,11 +115,18 @@ EqualizeOptions by_lengths_alone(EqualLength choice, double length = 0) {
     EqualizeOptions options;
     options.choice = choice;
     options.length = length;
-    options.method = "projection";
+    options.way = EqualizeWay::lengths;
     return options;
 }
 
 }  // namespace
+
+TEST_CASE("What is asked of an equalised net is told by the name of a method") {
+    for (const EqualizeWay way : {EqualizeWay::usual, EqualizeWay::at_rest, EqualizeWay::lengths})
+        CHECK(equalize_way_named(to_string(way)) == way);
+    CHECK_THROWS_WITH(equalize_way_named("li2022"),
+                      "a mesh is equalised by equilibrium or by projection, not by li2022");
+}
 
 TEST_CASE("Raw meshes of many kinds become nets with edges of one length") {
     const auto [name, mesh, farthest] = GENERATE(table<std::string, Net, double>({
@@ -136,7 +143,7 @@ TEST_CASE("Raw meshes of many kinds become nets with edges of one length") {
     Equalizer equalizer(mesh, by_lengths_alone(EqualLength::fitting));
     const EqualizeReport report = equalizer.solve();
     CHECK(report.status == Status::converged);
-    CHECK(report.method == "projection");
+    CHECK(report.way == EqualizeWay::lengths);
     CHECK(report.max_deviation < k_equal_deviation);
     CHECK(largest_deviation(mesh, equalizer.positions(), report.length) < 1.1e-9);
     CHECK(Net(equalizer.positions(), mesh.faces()).is_chebyshev());
@@ -168,7 +175,7 @@ Net flat_ring(int around, int rows) {
 TEST_CASE("A net with corners sharper than the limit is not called converged") {
     EqualizeOptions options;
     options.choice = GENERATE(EqualLength::mean, EqualLength::fitting);
-    options.method = "equilibrium";
+    options.way = EqualizeWay::at_rest;
     const Net ring = flat_ring(30, 10);
     Equalizer equalizer(ring, options);
     const EqualizeReport report = equalizer.solve();
@@ -177,7 +184,7 @@ TEST_CASE("A net with corners sharper than the limit is not called converged") {
     CHECK(report.quads_beyond_limit > 0);
     CHECK(report.quads_beyond_limit == sharp_quads(ring, equalizer.positions(), 29.9 * EIGEN_PI / 180));
 
-    options.method = "projection";
+    options.way = EqualizeWay::lengths;
     CHECK(Equalizer(ring, options).solve().status == Status::converged);
 }
 
@@ -194,7 +201,7 @@ TEST_CASE("Quads become a net near the surface of their mesh, fair and with no c
     Equalizer near(mesh, options), alone(mesh, by_lengths_alone(choice));
     const EqualizeReport report = near.solve(), other = alone.solve();
     CHECK(report.status == Status::converged);
-    CHECK(report.method == "equilibrium");
+    CHECK(report.way == EqualizeWay::at_rest);
     CHECK(largest_deviation(mesh, near.positions(), report.length) < 1.1e-9);
     CHECK(report.smallest_angle > 29.99 * EIGEN_PI / 180);
     REQUIRE((report.distance && other.distance));
@@ -224,7 +231,7 @@ TEST_CASE("With a guide the net comes near that and not near its own surface, of
         return distance_to(*guide, mesh, equalizer.positions()).mean / report.length;
     };
     CHECK(report.status == Status::converged);
-    CHECK(report.method == "equilibrium");
+    CHECK(report.way == EqualizeWay::at_rest);
     CHECK(largest_deviation(mesh, guided.positions(), report.length) < 1.1e-9);
     CHECK(report.smallest_angle > 29.99 * EIGEN_PI / 180);
     if (options.choice == EqualLength::given) CHECK(report.length == options.length);
@@ -248,8 +255,8 @@ TEST_CASE("A net that is exact already still comes near a guide, which alone mak
     CHECK(report.distance->mean < distance_to(*options.guide, exact, exact.rest_positions()).mean / 5);
 
     Equalizer large(samples::patch(120, 101), options);
-    CHECK(large.solve({1, 0}).method == "equilibrium");
-    options.method = "projection";
+    CHECK(large.solve({1, 0}).way == EqualizeWay::at_rest);
+    options.way = EqualizeWay::lengths;
     CHECK(Equalizer(exact, options).positions() == exact.rest_positions());
 }
 
@@ -274,7 +281,7 @@ TEST_CASE("A net that comes with edges of one length has its corners opened, or 
     Equalizer opened(sharp);
     const EqualizeReport report = opened.solve();
     CHECK(report.status == Status::converged);
-    CHECK(report.method == "equilibrium");
+    CHECK(report.way == EqualizeWay::at_rest);
     CHECK(report.quads_beyond_limit == 0);
     CHECK(largest_deviation(sharp, opened.positions(), 1) < 1.1e-9);
 
@@ -293,7 +300,7 @@ TEST_CASE("A net that comes with edges of one length has its corners opened, or 
 TEST_CASE("Where there is no surface to be near, lengths alone are asked for, and it is said") {
     Equalizer equalizer(five_neighbours()), alone(five_neighbours(), by_lengths_alone(EqualLength::mean));
     const EqualizeReport report = equalizer.solve();
-    CHECK(report.method == "projection");
+    CHECK(report.way == EqualizeWay::lengths);
     CHECK(!report.distance);
     CHECK(report.status == alone.solve().status);
     CHECK(equalizer.positions() == alone.positions());
@@ -322,7 +329,7 @@ TEST_CASE("A net with edges of one length comes back bit for bit") {
     Equalizer equalizer(net, options);
     const EqualizeReport report = equalizer.solve();
     CHECK(report.status == Status::converged);
-    CHECK(report.method == "equilibrium");
+    CHECK(report.way == EqualizeWay::at_rest);
     CHECK(report.iterations == 0);
     CHECK(report.max_move == 0);
     CHECK(equalizer.positions() == net.rest_positions());
@@ -381,6 +388,22 @@ TEST_CASE("With the fitting length the net lies nearer to the original than with
     const double nearest = squared_distance(by_lengths_alone(EqualLength::fitting));
     for (double factor : {0.9, 0.99, 1.01, 1.1})
         CHECK(nearest < squared_distance(by_lengths_alone(EqualLength::given, factor * report.length)));
+}
+
+TEST_CASE("Near the surface the fitting length is the one that is told with another, and the net nearer") {
+    const Net mesh = GENERATE(noisy_patch(), samples::twice(noisy_patch(), {30, 7, 0}));
+    EqualizeOptions options;
+    options.way = EqualizeWay::at_rest;
+    Equalizer mean(mesh, options);
+    options.choice = EqualLength::fitting;
+    Equalizer fitting(mesh, options);
+    const EqualizeReport report = fitting.solve(), other = mean.solve();
+    CHECK(report.status == Status::converged);
+    CHECK(report.way == EqualizeWay::at_rest);
+    CHECK(report.length == report.fitting_length);
+    CHECK(report.length == Approx(other.fitting_length).epsilon(0.005));
+    REQUIRE((report.distance && other.distance));
+    CHECK(report.distance->mean < other.distance->mean);
 }
 
 TEST_CASE("A net without handles neither drifts nor turns, and neither do its pieces") {
@@ -510,7 +533,6 @@ TEST_CASE("Lengths and handles that make no sense are refused") {
     CHECK(code({EqualLength::fitting, 0, {1}}) == ErrorCode::bad_option);
     CHECK(code({EqualLength::mean, 0, {8}}) == ErrorCode::index_out_of_range);
     CHECK(code({EqualLength::mean, 0, {1, 1}}) == ErrorCode::repeated_vertex);
-    CHECK(code({EqualLength::mean, 0, {}, "arap"}) == ErrorCode::bad_option);
     for (double limit : {-1.0, 2.0, std::nan("")})
-        CHECK(code({EqualLength::mean, 0, {}, "equilibrium", limit}) == ErrorCode::bad_option);
+        CHECK(code({.way = EqualizeWay::at_rest, .shear_limit = limit}) == ErrorCode::bad_option);
 }

@@ -83,8 +83,8 @@ SolveReport drag(Editor& editor, const Edit& edit, int frames) {
 }
 
 bool is_within_limit(const Editor& editor) {
-    const double limit = editor.options().shear_limit - 0.1;
-    return corner_angle_range(editor.net(), editor.positions()).smallest > limit * samples::k_degree;
+    const double limit = editor.options().shear_limit - 0.1 * samples::k_degree;
+    return corner_angle_range(editor.net(), editor.positions()).smallest > limit;
 }
 
 double rms_distance(const Edit& edit, const Positions& a, const Positions& b) {
@@ -151,7 +151,7 @@ TEST_CASE("Equilibrium: lengths, limit, and first-order conditions, reckoned aga
         CHECK(report.max_deviation < 1e-9);
         const Options& options = editor.options();
         CHECK(corner_angle_range(edit.net, editor.positions()).smallest >
-              (options.shear_limit - 0.01) * samples::k_degree);
+              options.shear_limit - 0.01 * samples::k_degree);
         const samples::FirstOrder conditions =
             samples::first_order({edit.net, editor.handles(), options}, editor.positions());
         CHECK(conditions.gradient < 2 * options.rest_tolerance);

@@ -65,11 +65,11 @@ inline Eigen::Matrix3Xd gradient_of(const Resting& resting, const Positions& x) 
         .evaluate(x, gradient);
     ShearTerm(net, from, options.shear_weight,
               options.square_corners ? ShearTerm::Reference::right_angles : ShearTerm::Reference::rest,
-              std::max(options.shear_limit, 15.0) * k_degree)
+              std::max(options.shear_limit, 15 * k_degree))
         .evaluate(x, gradient);
     TipTerm(net, topology, options.tip_weight).evaluate(x, gradient);
     GravityTerm(net, options.gravity, -Eigen::Vector3d::Unit(options.y_up ? 1 : 2), weightless).evaluate(x, gradient);
-    const auto mode = static_cast<GuideMode>(options.guide_mode);
+    const GuideMode mode = options.guide_mode;
     if (guide != nullptr && mode != GuideMode::off)
         ClosenessTerm(net, *guide, 1,
                       (mode == GuideMode::near ? 1 : 100) *
@@ -157,7 +157,7 @@ inline Eigen::VectorXd multipliers(const Eigen::SparseMatrix<double>& Jt, const 
 /// would pull are let go, and held again where they would become shorter without (Lawson & Hanson 1974, chapter 23).
 inline FirstOrder first_order(const Resting& resting, const Positions& x) {
     const double L = resting.net.mean_length(), none = 1e-5 / L;
-    const std::vector<Pair> pairs = kept_pairs(resting.net, x, resting.options.shear_limit * k_degree);
+    const std::vector<Pair> pairs = kept_pairs(resting.net, x, resting.options.shear_limit);
     const Eigen::Matrix3Xd is_free = free_coordinates(resting);
     const Eigen::VectorXd g = gradient_of(resting, x).cwiseProduct(is_free).reshaped();
     const Eigen::SparseMatrix<double> all = kept_directions(pairs, std::vector<bool>(pairs.size(), true), x, is_free);

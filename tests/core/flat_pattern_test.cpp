@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -18,6 +19,7 @@
 #include "io/obj.h"
 #include "net/measures.h"
 #include "net/rods.h"
+#include "sample_drapes.h"
 #include "sample_nets.h"
 #include "sample_surfaces.h"
 #include "shapes/shapes.h"
@@ -45,6 +47,79 @@ Net winding_stair() {
 
 FlatPattern pattern_of(const Net& net) { return std::get<FlatPattern>(flat_pattern(net, Topology(net))); }
 PatternFault fault_of(const Net& net) { return std::get<PatternFault>(flat_pattern(net, Topology(net))); }
+
+/// Surfaces whose borders cut nets in many ways.
+std::vector<Surface> cut_surfaces() {
+    std::vector<Surface> surfaces;
+    for (const char* const name : {"hemisphere", "shell", "hypar"}) surfaces.push_back(make_own_surface(name));
+    // A plate with five thin rays; one with steep hills; a ring; the middle of a sphere.
+    surfaces.emplace_back(samples::quads(80, 20, true, false, [](int i, int j) {
+        const double u = 2 * std::numbers::pi * i / 80, r = (0.2 + 0.8 * j / 19) * (1 + 0.6 * std::cos(5 * u));
+        return Eigen::Vector3d(r * std::cos(u), r * std::sin(u), 0);
+    }));
+    surfaces.emplace_back(samples::graph(50, 1, [](double x, double y) {
+        return 0.8 * std::exp(-15 * (std::pow(x + 0.4, 2) + std::pow(y + 0.4, 2))) +
+               0.6 * std::exp(-22 * (std::pow(x - 0.4, 2) + std::pow(y - 0.3, 2)));
+    }));
+    surfaces.emplace_back(samples::quads(60, 9, true, false, [](int i, int j) {
+        const double u = 2 * std::numbers::pi * i / 60, r = 0.3 + 0.1 * j;
+        return Eigen::Vector3d(r * std::cos(u), r * std::sin(u), 0.3 * r * r * std::cos(2 * u));
+    }));
+    surfaces.emplace_back(samples::quads(60, 20, true, false, [](int i, int j) {
+        const double u = 2 * std::numbers::pi * i / 60, z = 0.8 * (2. * j / 19 - 1), r = std::sqrt(1 - z * z);
+        return Eigen::Vector3d(r * std::cos(u), r * std::sin(u), z);
+    }));
+    return surfaces;
+}
+
+/// A net as it was laid, by the steps that its vertices are from the seed.
+struct LaidNet {
+    const Drape& drape;
+    double length;
+
+    bool is_end(int v) const { return v >= drape.net.vertex_count() - drape.cut_ends; }
+    /// Along an edge, from its first vertex; to an end, which is the second one then, towards the vertex beyond.
+    Eigen::Vector2i steps(int e) const {
+        return drape.places.col(drape.net.edges()(1, e)) - drape.places.col(drape.net.edges()(0, e));
+    }
+    /// Whether it can be of a rod. A rod that ends towards one vertex may be that of either of two that are one step
+    /// away from it.
+    bool may_be_rod(int e) const { return !is_end(drape.net.edges()(0, e)) && steps(e).cwiseAbs().sum() == 1; }
+};
+
+/// How many edges are rods that cannot be, and how many ends have none or several.
+int wrong_rods(const LaidNet& laid, const std::vector<bool>& is_of_rod) {
+    const Net& net = laid.drape.net;
+    std::vector<int> rods_at(static_cast<std::size_t>(net.vertex_count()));
+    int wrong = 0;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const int b = net.edges()(1, e);
+        if (is_of_rod[e] ? !laid.may_be_rod(e) : laid.may_be_rod(e) && !laid.is_end(b)) ++wrong;
+        if (is_of_rod[e]) ++rods_at[b];
+    }
+    for (int v = 0; v < net.vertex_count(); ++v) wrong += laid.is_end(v) && rods_at[v] != 1 ? 1 : 0;
+    return wrong;
+}
+
+/// How many rods are not along their own line of the grid, and as long as they are.
+int misplaced_rods(const LaidNet& laid, const std::vector<bool>& is_of_rod, const FlatPattern& pattern) {
+    const Net& net = laid.drape.net;
+    const auto step = [&](int e) -> Eigen::Vector2d {
+        return (pattern.places.col(net.edges()(1, e)) - pattern.places.col(net.edges()(0, e))) * laid.length /
+               net.rest_lengths()[e];
+    };
+    Eigen::Matrix2d turn = Eigen::Matrix2d::Zero();
+    int misplaced = 0;
+    for (const bool is_first : {true, false})
+        for (int e = 0; e < net.edge_count(); ++e) {
+            if (!is_of_rod[e]) continue;
+            const Eigen::Vector2d steps = laid.steps(e).cast<double>();
+            for (int k = 0; k < 2 && is_first; ++k)
+                if (steps[k] != 0 && turn.col(k).isZero(0)) turn.col(k) = step(e) / steps[k];
+            if (!is_first && (step(e) - turn * steps).norm() > 1e-4) ++misplaced;
+        }
+    return misplaced;
+}
 
 const std::string k_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 
@@ -347,4 +422,37 @@ TEST_CASE("Rods that end longer than the others are no net of equal edges") {
         }
         CHECK(fault_of(Net(positions, even.faces())).reason == Reason::unequal);
     }
+}
+
+TEST_CASE("Rods and the flat pattern of a net that a border has cut are what it was laid by") {
+    constexpr int k_nets = 20;  // on each surface
+    int ends = 0, patterns = 0;
+    for (const Surface& surface : cut_surfaces()) {
+        const SurfaceTree tree(surface);
+        for (unsigned seed = 0; seed < k_nets; ++seed) {
+            std::mt19937 random(seed);  // NOLINT(cert-msc51-cpp): the same nets each time
+            DrapeOptions options = suggested_drape(surface, tree, 100 + static_cast<int>(random() % 1000));
+            options.seed = surface.position_at(samples::random_place(surface, random));
+            options.direction = samples::random_point(1, random);
+            options.angle = samples::k_pi * (0.2 + 0.15 * static_cast<double>(seed % 5));
+            options.border = DrapeOptions::Border::cut;
+            const std::optional<Drape> draped = samples::drape_if_any(surface, tree, options);
+            if (!draped) continue;
+            INFO("surface of " << surface.face_count() << " triangles, seed " << seed);
+            const Topology topology(draped->net);
+            const LaidNet laid{*draped, options.length};
+            const std::vector<bool> is_of_rod = rod_edges(draped->net, topology, options.length);
+            CHECK(wrong_rods(laid, is_of_rod) == 0);
+            ends += draped->cut_ends;
+            const auto pattern = flat_pattern(draped->net, topology);
+            if (const auto* const fault = std::get_if<PatternFault>(&pattern)) {
+                CHECK(std::string(to_string(fault->reason)) == "overlap");
+                continue;
+            }
+            CHECK(misplaced_rods(laid, is_of_rod, std::get<FlatPattern>(pattern)) == 0);
+            ++patterns;
+        }
+    }
+    CHECK(ends > 5000);
+    CHECK(patterns > 100);
 }

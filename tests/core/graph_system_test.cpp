@@ -77,6 +77,26 @@ TEMPLATE_TEST_CASE("Registers of any width give the same bits", "", float, doubl
     }
 }
 
+/// The factor of r^|i − j| is known: r^(i − j), times √(1 − r²) but for the first column.
+TEST_CASE("A factor in single precision has no entries so small that their products are no normal numbers") {
+    constexpr int n = 64;
+    constexpr double r = 0.05;
+    std::vector<float> panel(n * n);
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) panel[j * n + i] = static_cast<float>(std::pow(r, std::abs(i - j)));
+    REQUIRE(dense::factor_panel(panel.data(), n, n, n));
+    int dropped = 0;
+    for (int j = 0; j < n; ++j)
+        for (int i = j; i < n; ++i) {
+            const double entry = panel[j * n + i], known = std::pow(r, i - j) * (j > 0 ? std::sqrt(1 - r * r) : 1);
+            INFO("row " << i << ", column " << j);
+            CHECK(std::abs(entry - known) < 1e-6);
+            CHECK((entry == 0 || std::abs(entry) > 1e-17));
+            dropped += static_cast<int>(entry == 0);
+        }
+    CHECK(dropped > n);
+}
+
 TEST_CASE("A system that is not positive definite is refused") {
     BlockSystem system(3, (Eigen::Matrix2Xi(2, 2) << 0, 1, 1, 2).finished());
     system.add_at_link(0, Eigen::Matrix3d::Identity());

@@ -11,11 +11,11 @@
 #include "base/error.h"
 #include "drape/bridged_drape.h"
 #include "drape/drape.h"
+#include "drape/surface_report.h"
 #include "net/topology.h"
 #include "remesh/one_piece.h"
 #include "remesh/pinholes.h"
 #include "remesh/remesh.h"
-#include "surface/curvature.h"
 #include "surface/guide.h"
 
 using namespace chebnet;

@@ -190,3 +190,19 @@ TEST_CASE("Interrupted anywhere, the scale found is the same") {
     }
     CHECK(in_slices.state() == at_once.state());
 }
+
+TEST_CASE("What is found is a net, also where it comes to no rest since lines are all but taut") {
+    const Net net = samples::patch(8, 5, 0);
+    Editor editor(net);
+    editor.set_handles({{33, {3.0851443540513426, 3.4372565898392851, -0.03057478918448385}},
+                        {29, {6.5805097173974172, 2.5498998084654891, 0}},
+                        {16, {1.1046930685815659, 1.9356951609908191, 0.029080964123738003}},
+                        {39, {9.1073462898632229, 3.3998664112873191, 0}}});
+    REQUIRE_FALSE(keeps_lengths(editor.solve().status));
+    LengthAdapter adapter(editor, {});
+    REQUIRE(adapter.solve().status == Status::converged);
+    Editor other(net);
+    other.set_state(adapter.state());
+    CHECK(max_deviation(other.net(), other.positions()) < k_settled);
+    CHECK(other.handle_error() == 0);
+}

@@ -150,7 +150,7 @@ TEST_CASE("The name of a file says how it is written") {
 }
 
 TEST_CASE("A normal of STL has the length 1 however small its triangle") {
-    const double scale = GENERATE(1.0, 1e-100, 1e-161);
+    const double scale = GENERATE(1.0, 1e-30, 1e-44);
     CAPTURE(scale);
     const Eigen::Vector3d normal =
         stl_of({Eigen::Vector3d::Zero(), scale * Eigen::Vector3d(0, 1, 1), scale * Eigen::Vector3d(1, 0, 0)})[0][0];
@@ -184,4 +184,15 @@ TEST_CASE("What does not fit the floats of STL is refused") {
     CHECK(samples::refusal_of([] {
               stl_of({{0, 0, 0}, {1e39, 0, 0}, {0, 1, 0}});
           }) == "too_large vertex 1 has a coordinate that is too large for STL");
+    const std::vector<Eigen::Vector3d> triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const auto refusal_of_triangle = [&](double size, const Eigen::Vector3d& at) {
+        std::vector<Eigen::Vector3d> corners;
+        for (const Eigen::Vector3d& corner : triangle) corners.push_back(at + size * corner);
+        return samples::refusal_of([&] { stl_of(corners); });
+    };
+    for (const std::string& refusal :
+         {refusal_of_triangle(1e-50, Eigen::Vector3d::Zero()), refusal_of_triangle(1, {1e12, 1e12, -1e12})})
+        CHECK_THAT(refusal, Catch::StartsWith("bad_scale vertices 0, 1 and 2 become one in STL"));
+    CHECK(refusal_of_triangle(1e-40, Eigen::Vector3d::Zero()) == "none");
+    CHECK(refusal_of_triangle(0, Eigen::Vector3d::Zero()) == "none");  // no triangle before either
 }

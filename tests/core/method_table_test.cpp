@@ -2,6 +2,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -57,7 +58,14 @@ const std::vector<Case>& cases() {
              editor.set_option("gravity", "0.02");
              return editor;
          }},
-        // Here hardly any method gets to the end.
+        {"stairs that somebody has shaken",
+         [] {
+             Editor editor = pulled("steps:vertices=150", {0, 0, 0});
+             std::mt19937 random(1);
+             editor.set_positions(samples::shaken(editor.positions(), 2 * editor.net().mean_length(), random));
+             return editor;
+         }},
+        // Here no method gets to the end.
         {"stairs pulled up",
          [] {
              return pulled("steps:vertices=150", {0, 0, 4});

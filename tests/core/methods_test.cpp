@@ -188,6 +188,20 @@ TEST_CASE("A method repeats bit for bit, in one go or in slices") {
     }
 }
 
+TEST_CASE("D_p is not taken for done by slopes that are small for its exponent") {
+    for (const char* method : {"dp4", "dp8"}) {
+        INFO(method);
+        Editor editor = pulled(sample_nets()[0], method, 1);
+        const SolveReport report = editor.solve();
+        CHECK(report.status == Status::converged);
+        CHECK(report.max_deviation < editor.options().threshold);
+        // Relative to what is near the threshold it ends by its slope all the same.
+        Editor rough = pulled(sample_nets()[0], method, 1);
+        rough.set_option("gradient_tolerance", "1e6");
+        CHECK(rough.solve().status == Status::stalled);
+    }
+}
+
 TEST_CASE("D_p ends with an exponent of its own") {
     for (const auto& [method, p] : {std::pair{"dp4", 4.0}, {"dp8", 8.0}}) {
         Editor editor = pulled(sample_nets()[0], method, 1);

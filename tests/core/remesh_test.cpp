@@ -836,6 +836,30 @@ TEST_CASE("A ring far longer outside than inside is cut from a flat net, or cove
     CHECK(coverage(remesh(std::make_shared<const Guide>(ring), options).net) < 0.95);
 }
 
+TEST_CASE("A tower gets so many cells around as edges of one length allow for where it is widest and narrowest",
+          "[large]") {
+    // The radius from −1 to 1 along the axis: a hyperboloid's, wide above and below, and a cone's.
+    const auto hyperboloid = [](double t) { return std::cosh(1.5 * t); };
+    const auto cone = [](double t) { return 2 + t; };
+    for (const std::function<double(double)>& radius : {std::function<double(double)>(hyperboloid), {cone}}) {
+        const Surface tower(samples::quads(64, 40, true, false, [&](int i, int j) {
+            const double t = 2 * j / 39. - 1, u = 2 * std::numbers::pi * i / 64;
+            return Eigen::Vector3d(radius(t) * std::cos(u), radius(t) * std::sin(u), 3 * t);
+        }));
+        const auto guide = std::make_shared<const Guide>(tower);
+        RemeshOptions options;
+        options.cells = 800;
+        const Remesh made = remesh(guide, options);
+        const DrapeReport report = measure_drape(guide->surface(), guide->tree(), made.net);
+        CHECK(made.singular.empty());
+        CHECK(std::abs(made.net.face_count() - 800) < 0.05 * 800);
+        CHECK(report.coverage > 0.999);
+        CHECK(report.gaps == 0);
+        CHECK(report.mean_distance < 0.025 * report.length);
+        CHECK(report.largest_distance < 0.3 * report.length);
+    }
+}
+
 TEST_CASE("A disc with more curvature than a net can take is left open where the net would lock, rather than folded",
           "[large]") {
     // A saddle as steep as 70 degrees: net lines along its border, across it and in steps all crumple.

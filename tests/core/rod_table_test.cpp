@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "change/coarsen.h"
 #include "change/refine.h"
 #include "csv_cells.h"
 #include "drape/drape.h"
 #include "net/measures.h"
 #include "net/rods.h"
+#include "sample_drapes.h"
 #include "sample_nets.h"
 #include "sample_surfaces.h"
 #include "shapes/shapes.h"
@@ -26,15 +26,6 @@ using namespace chebnet;
 namespace {
 
 std::string table_of(const Net& net, const Positions& positions) { return rod_table(net, Topology(net), positions); }
-
-/// Nothing where no cell fits, or the direction leads off the surface.
-std::optional<Drape> drape_if_any(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {
-    try {
-        return drape(surface, tree, options);
-    } catch (const Error&) {
-        return std::nullopt;
-    }
-}
 
 }  // namespace
 
@@ -193,7 +184,7 @@ TEST_CASE("Every whole edge of a net that was cut is of a rod, and no edge from 
             options.seed = surface.position_at(samples::random_place(surface, random));
             options.direction = samples::random_point(1, random);
             options.border = DrapeOptions::Border::cut;
-            const std::optional<Drape> draped = drape_if_any(surface, tree, options);
+            const std::optional<Drape> draped = samples::drape_if_any(surface, tree, options);
             if (!draped) continue;
             const Net& net = draped->net;
             const Topology topology(net);

@@ -77,6 +77,30 @@ TEST_CASE("A tube cut between its borders along the shortest way is a piece with
     CHECK(euler_characteristic(open) == 1);
 }
 
+TEST_CASE("The two borders of a tube are found whatever its triangles are") {
+    const unsigned seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<int> around_some(3, 60), along_some(2, 8);
+    std::uniform_real_distribution<double> slant_some(-3, 3), height_some(0.05, 3);
+    for (int trial = 0; trial < 100; ++trial) {
+        const int around = around_some(random), along = along_some(random);
+        const double slant = slant_some(random), height = height_some(random);  // slanted triangles are obtuse ones
+        CAPTURE(around, along, slant, height);
+        const Surface tube(samples::quads(around, along, true, false, [&](int i, int j) {
+            const double angle = 2 * std::numbers::pi * (i + slant * j) / around;
+            return Eigen::Vector3d(std::cos(angle), std::sin(angle), height * j / (along - 1));
+        }));
+        const CutLine cut = shortest_cut_between_borders(tube);
+        const double slanted = 2 * std::sin(std::numbers::pi * slant / around), up = height / (along - 1);
+        CHECK(length_of(tube, cut) >= height * (1 - 1e-9));
+        CHECK(length_of(tube, cut) <= (along - 1) * std::hypot(slanted, up) * (1 + 1e-9));
+        const Surface open = cut_open(tube, {{cut}});
+        CHECK(open.boundary_loops().size() == 1);
+        CHECK(euler_characteristic(open) == 1);
+    }
+}
+
 TEST_CASE("Cuts between borders, one after the other, begin with those that are nearest, and join all") {
     const Surface plate = plate_with_holes();
     std::vector<CutLine> cuts;

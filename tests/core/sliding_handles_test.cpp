@@ -263,8 +263,8 @@ TEST_CASE("With projection feet that slide along one axis or two find where leng
 
 TEST_CASE("Methods that do not let handles slide keep them where they stand") {
     for (const MethodInfo& info : method_table()) {
-        CHECK(make_method(info.name)->knows_slides() == info.slides);
-        if (info.slides) continue;
+        CHECK(make_method(info.name)->heeds() == info.heeds);
+        if (info.heeds.slides) continue;
         CAPTURE(info.name);
         const Sheet flat = sheet(5);
         Editor editor = editor_of(flat.net, flat.handles);
@@ -331,6 +331,23 @@ TEST_CASE("Lengths adapt to handles beside some that slide") {
     CHECK(found.options.length_scale > 1);
     CHECK(found.handles[2].slides == k_ground);
     CHECK(found.positions(2, 22) == handles[2].target.z());
+}
+
+TEST_CASE("Lengths adapt to handles that slide, by the distance that they keep") {
+    const Net net = samples::patch(11, 11, 0);
+    std::vector<Handle> handles{sliding(net, 0, k_x), sliding(net, 1, k_x)};
+    handles[1].target.z() += 2;
+    Editor editor = editor_of(net, handles);
+    REQUIRE_FALSE(keeps_lengths(editor.solve().status));
+    LengthAdapter adapter(editor, {});
+    REQUIRE(adapter.solve().status == Status::converged);
+    const EditState found = adapter.state();
+    CHECK(found.options.length_scale > 2 - 1e-6);
+    CHECK(found.options.length_scale < 2 * (1 + LengthAdapter::k_precision));
+    CHECK(found.positions(2, 1) == handles[1].target.z());
+    Editor other(net);
+    other.set_state(found);
+    CHECK(max_deviation(other.net(), other.positions()) < 1e-9);
 }
 
 TEST_CASE("Whatever slides along whatever: lengths, held coordinates and first-order conditions") {

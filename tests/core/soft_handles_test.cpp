@@ -239,3 +239,38 @@ TEST_CASE("The gradients of pulls are those of their energies, and a fit is the 
     CHECK(part.fit(vectors, x) == Approx(slope).epsilon(1e-5));
     CHECK(part.fit(vectors, x) < 1e-4 * slope);  // single precision
 }
+
+TEST_CASE("A net that hangs on one soft handle alone goes along with it, however stiff that is") {
+    const double weight = GENERATE(1.0, 100.0, 1e6, 1e30, 1e308);
+    CAPTURE(weight);
+    const Net net = samples::patch(11, 11, 0.4);
+    Editor editor(net);
+    Handle handle = samples::handles_at_rest(net, {1}).front();
+    handle.weight = weight;
+    editor.set_handles({handle});
+    const Eigen::Vector3d way(1, -2, 8);
+    for (int frame = 1; frame <= 4; ++frame) {
+        editor.move_handle(1, handle.target + frame / 4.0 * way);
+        const SolveReport report = editor.solve();
+        CHECK(report.status == Status::converged);
+        CHECK(report.iterations <= 2);
+    }
+    CHECK((editor.positions() - net.rest_positions()).colwise().norm().maxCoeff() == Approx(way.norm()));
+    CHECK(distance_from_target(editor, editor.handles().front()) < 1e-9);
+}
+
+TEST_CASE("What hangs on one soft handle and comes to rest there stays, though nearer to it there is less pull") {
+    Editor editor(samples::patch(11, 11, 0.4));
+    Handle handle = samples::handles_at_rest(editor.net(), {60}).front();
+    handle.weight = 20;
+    handle.target.x() += 3;
+    editor.set_handles({handle});
+    editor.set_option("gravity", "0.05");
+    REQUIRE(keeps_lengths(editor.solve().status));
+    const double below = handle.target.z() - editor.positions()(2, 60);
+    CHECK(below == Approx(0.05 * editor.net().edge_count() / (2 * handle.weight)).epsilon(1e-3));
+    Editor other(editor.net());
+    other.set_state(editor.state());
+    other.solve();
+    CHECK((other.positions() - editor.positions()).colwise().norm().maxCoeff() < 1e-3);
+}

@@ -1,13 +1,14 @@
 #include "surface/surface.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
 #include <numbers>
 
 #include "constants.h"
+#include "drape/surface_report.h"
 #include "mesh_files.h"
 #include "sample_surfaces.h"
-#include "surface/curvature.h"
 
 using namespace chebnet;
 using Catch::Matchers::Contains;
@@ -75,6 +76,37 @@ TEST_CASE("Neighbours are found across sides and around vertices") {
     REQUIRE(loops.size() == 1);
     CHECK(loops[0].size() == 3);
     for (std::size_t k = 0; k < 3; ++k) CHECK(surface.to(loops[0][k]) == surface.from(loops[0][(k + 1) % 3]));
+}
+
+TEST_CASE("A walk around a vertex comes to each of its sides once, counterclockwise") {
+    const Surface half(samples::sphere(6, true));
+    std::vector<int> met(3 * static_cast<std::size_t>(half.face_count()), 0);
+    for (int v = 0; v < half.vertex_count(); ++v) {
+        int before = -1;
+        std::vector<int> faces;
+        for (const int side : half.sides_around(v)) {
+            CHECK(half.from(side) == v);
+            CHECK(side == (before < 0 ? half.first_side(v) : half.around(before)));
+            ++met[side];
+            faces.push_back(Surface::face_of(side));
+            before = side;
+        }
+        CHECK(half.faces_around(v) == faces);
+    }
+    CHECK(std::count(met.begin(), met.end(), 1) == std::ssize(met));
+}
+
+TEST_CASE("A walk around a vertex may begin anywhere, and ends at the boundary") {
+    const Surface surface(tent());
+    for (int side = 0; side < 9; ++side) {
+        std::vector<int> sides;
+        for (const int s : surface.sides_from(side)) sides.push_back(s);
+        CHECK(sides.front() == side);
+        if (surface.from(side) == 0)
+            CHECK(sides.size() == 3);
+        else
+            CHECK(sides.size() == (surface.first_side(surface.from(side)) == side ? 2 : 1));
+    }
 }
 
 TEST_CASE("Polygons are cut, along the shorter diagonal of a quad") {

@@ -37,6 +37,25 @@ Editor dragged_sheet(const Eigen::Vector3d& move, int frames) {
     return editor;
 }
 
+/// A flat sheet of rhombi whose handles are nearly as far apart as it lets them; a net, but not at rest.
+Editor nearly_taut_sheet() {
+    constexpr int k_side = 5;
+    const double angle = -0.40119608161154535;
+    Positions x(3, k_side * k_side);
+    for (int v = 0; v < x.cols(); ++v) {
+        const int row = v / k_side;
+        x.col(v) << v % k_side + row * std::sin(angle), row * std::cos(angle), 0;
+    }
+    Editor editor(Net(x, samples::patch(k_side, k_side).faces()));
+    editor.set_method("projection");
+    editor.set_handles(samples::handles_at_rest(editor.net(), {14, 6, 9, 23}));
+    editor.solve();
+    editor.move_handle(14, {2.9940494056697262, 1.6800610414723229, -0.21083100047249678});
+    REQUIRE(editor.solve().status == Status::converged);
+    editor.set_method("equilibrium");
+    return editor;
+}
+
 std::vector<int> vertices_of(std::span<const TautVertex> taut) {
     std::vector<int> vertices;
     for (const TautVertex& each : taut) vertices.push_back(each.vertex);
@@ -156,4 +175,44 @@ TEST_CASE("A hand that takes a corner of a sheet where nothing may move moves it
     editor.drag_handle(k_last, from);
     CHECK(editor.solve().status == Status::converged);
     CHECK((editor.positions() - editor.net().rest_positions()).cwiseAbs().maxCoeff() < 1e-6);
+}
+
+TEST_CASE("A net that has its handles in place is not given up for lines that are all but taut") {
+    Editor editor = nearly_taut_sheet();
+    const bool in_frames = GENERATE(false, true);
+    editor.set_option("max_iterations", "1000");
+    SolveReport report = editor.solve({in_frames ? 7 : 2000});
+    while (report.status == Status::running) report = editor.solve({7});
+    CHECK(report.status == Status::exact);
+    CHECK(report.max_deviation < editor.options().threshold);
+    CHECK(max_deviation(editor.net(), editor.positions()) < editor.options().threshold);
+    CHECK(editor.handle_error() == 0);
+    CHECK(editor.last_net() == editor.positions());
+    REQUIRE(report.to_rest);
+    CHECK(std::isfinite(report.to_rest->gradient_norm));
+    CHECK(net_forces(editor)->handles.allFinite());
+    // Forces are of this net: in the solver's unit it has the same lengths.
+    const Positions& rests = editor.rest_state()->positions;
+    const double unit = editor.positions().norm() / rests.norm();
+    CHECK((unit * rests - editor.positions()).cwiseAbs().maxCoeff() < 1e-9);
+}
+
+TEST_CASE(
+    "A handle beside the lines that others pull straight is out of reach, and the sheet is stretched as a whole") {
+    Editor editor = held_sheet();
+    constexpr int k_middle = 4 * k_columns + 5;
+    std::vector<Handle> handles = editor.handles();
+    handles.push_back({k_middle, editor.positions().col(k_middle) + Eigen::Vector3d(0, 0, 2)});
+    editor.set_handles(handles);
+    const SolveReport report = editor.solve();
+    CHECK(report.status == Status::unreachable);
+    CHECK(editor.taut_vertices().empty());
+    CHECK(editor.positions().col(k_middle) == handles.back().target);
+    // No spike: what is beside it goes along, and no edge is much longer than others.
+    CHECK(editor.positions()(2, k_middle + 1) > 0.5);
+    CHECK(report.max_deviation < 0.1);
+
+    // Where the lines pass it stays a net at rest.
+    editor.move_handle(k_middle, editor.net().rest_positions().col(k_middle));
+    CHECK(keeps_lengths(editor.solve().status));
 }

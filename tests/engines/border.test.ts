@@ -96,6 +96,7 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
   torn.setHandles([0, 1].map((vertex) => ({ vertex, target: [9 * vertex, 0, 0] })));
   let inTurn = false;
   let turn = 0;
+  let change = 0;
   const attempts: Record<string, () => unknown> = {
     openRecipe: () => core.openRecipe((inTurn = !inTurn) || whole ? 'nonsense' : 'teddy'),
     openObj: () => core.openObj('v 0 0 0\nf 1 2 3\n'),
@@ -108,6 +109,7 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
     moveHandle: () => editor.moveHandle(999_999, [0, 0, 0]),
     dragHandle: () => editor.dragHandle(999_999, [0, 0, 0]),
     setState: () => editor.setState({ ...editor.state(), ...spoilt[turn++ % spoilt.length] }),
+    changeState: () => editor.changeState(spoilt[change++ % spoilt.length]!),
     flatPattern: () => editor.flatPattern(),
     rods: () => editor.rods(),
     toObj: () => editor.toObj(),
@@ -169,6 +171,7 @@ const CODES = {
 };
 const LEFT_OUT = {
   setState: ['bad_option', 'index_out_of_range', 'non_finite', 'left_out'],
+  changeState: ['bad_option', 'index_out_of_range', 'non_finite', 'left_out'],
   flatPattern: ['left_out'],
   rods: ['left_out'],
   flipped: ['left_out'],
@@ -183,6 +186,7 @@ const LEFT_OUT = {
 };
 const WHOLE = {
   setState: ['bad_option', 'index_out_of_range', 'non_finite'],
+  changeState: ['bad_option', 'index_out_of_range', 'non_finite'],
   openObj: ['index_out_of_range'],
   flipped: ['bad_option'],
   lengthAdapter: ['index_out_of_range'],

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/angle.h"
 #include "solve/method.h"
 
 namespace chebnet::soak {
@@ -114,7 +115,7 @@ const EditKind& random_edit_kind(Random& random) {
 Options random_behaviour(Random& random) {
     Options options;
     if (random() % 2 == 0) return options;
-    options.shear_limit = std::vector{0.0, 30.0, 45.0, 60.0}[random() % 4];
+    options.shear_limit = std::vector{0.0, 30.0, 45.0, 60.0}[random() % 4] * k_degree;
     options.straight_rods = random() % 3 == 0;
     if (random() % 3 == 0) options.bending_weight = std::pow(10, real(random, -2, 2));
     if (random() % 3 == 0) options.shear_weight = random() % 2 == 0 ? 0 : std::pow(10, real(random, -3, 1));
@@ -128,11 +129,10 @@ namespace {
 void make_some_otherwise(std::vector<Handle>& handles, std::string_view method, Random& random) {
     const auto table = method_table();
     const auto info = std::ranges::find_if(table, [&](const MethodInfo& each) { return each.name == method; });
-    const bool knows_pulls = info->make()->knows_pulls();
     for (std::size_t i = 1; i < handles.size(); ++i) {
         const auto kind = random() % 3;
-        if (kind == 0 && knows_pulls) handles[i].weight = std::pow(10, real(random, -2, 2));
-        if (kind == 1 && info->slides) handles[i].slides = 1 + static_cast<Axes>(random() % 6);
+        if (kind == 0 && info->heeds.pulls) handles[i].weight = std::pow(10, real(random, -2, 2));
+        if (kind == 1 && info->heeds.slides) handles[i].slides = 1 + static_cast<Axes>(random() % 6);
     }
 }
 

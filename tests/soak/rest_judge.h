@@ -43,7 +43,7 @@ public:
         const Options& options = editor.options();
         const double L = editor.net().mean_length(), size = editor.positions().lpNorm<Eigen::Infinity>();
         const double digits = 1e-15 * size / L;  // of a coordinate, in edge lengths
-        const double lack = reckoned_lack(editor.net(), editor.positions(), options.shear_limit * samples::k_degree);
+        const double lack = reckoned_lack(editor.net(), editor.positions(), options.shear_limit);
         if (!(lack <= 2.1e-4 + digits)) violations.push_back(text("a corner is sharper than the limit", lack));
 
         // A hand that is held back pulls by a force of the editor's own.
@@ -82,7 +82,7 @@ private:
     /// V, what lies in pieces of the net of which nothing stays at its height, or is drawn somewhere: no piece falls
     /// for ever.
     static std::vector<bool> weightless(const Editor& editor) {
-        const auto mode = static_cast<GuideMode>(editor.options().guide_mode);
+        const GuideMode mode = editor.options().guide_mode;
         if (editor.guide() && (mode == GuideMode::near || mode == GuideMode::on)) return {};
         std::vector<bool> carries(static_cast<std::size_t>(editor.net().vertex_count()), false);
         for (const Handle& handle : editor.handles())

@@ -109,3 +109,11 @@ test('leaves files out, and still says what is wrong with a name', () => {
   expect(failure(() => editor.toFile('dwg' as never)).code).toBe('bad_option');
   expect(failure(() => editor.setMethod('magic')).code).toBe('bad_option');
 });
+
+test('leaves surfaces out, also as guides', () => {
+  const surface = whole.ownSurface('hemisphere');
+  expect(failure(() => first.ownSurface('hemisphere')).code).toBe('left_out');
+  expect(failure(() => editor.setGuide(surface)).code).toBe('left_out');
+  editor.setGuide(null);
+  surface.dispose();
+});

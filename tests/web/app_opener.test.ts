@@ -1,13 +1,13 @@
 /** Opening nets and going through the history, with a solver that answers when a test says so. */
 import { readFileSync } from 'node:fs';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { Opener } from '../../web/src/app/opener';
+import { Opener, type OpenerClient } from '../../web/src/app/opener';
 import { State } from '../../web/src/app/state';
 import { defaultScene, usualMethod } from '../../web/src/document/defaults';
 import type { CameraPlace, Scene } from '../../web/src/document/document';
 import type { Project } from '../../web/src/document/project';
 import type { Entry } from '../../web/src/document/undo';
-import type { Client, Opened } from '../../web/src/worker/client';
+import type { Opened } from '../../web/src/worker/client';
 import { ROOT } from '../wasm/load';
 
 interface Asked {
@@ -20,6 +20,7 @@ let asked: Asked[];
 let told: string[];
 let restored: number;
 let isChanging: boolean;
+let isReturning: boolean;
 let state: State;
 let opener: Opener;
 
@@ -44,7 +45,7 @@ async function open(recipe: string): Promise<void> {
 beforeEach(() => {
   vi.useFakeTimers();
   [asked, told, restored] = [[], [], 0];
-  const client: Pick<Client, 'open' | 'cancelOpening' | 'restore'> = {
+  const client: OpenerClient = {
     open: ({ net }) =>
       new Promise((resolve, reject) =>
         asked.push({
@@ -55,8 +56,11 @@ beforeEach(() => {
       ),
     cancelOpening: () => asked.at(-1)!.refuse(),
     restore: async () => void (restored += 1),
+    get returning() {
+      return isReturning;
+    },
   };
-  isChanging = false;
+  [isChanging, isReturning] = [false, false];
   state = new State(() => isChanging, { document: () => {}, presentation: () => {}, handles: () => {} });
   opener = new Opener(client, state, {
     leaving: () => told.push('leaving'),
@@ -257,6 +261,29 @@ test('an entry of the history that cannot be opened leaves the present one as it
   await expect(back).rejects.toThrow('refused');
   expect([recipeNow(), state.history.present]).toEqual(['vault', 1]);
   expect(restored).toBe(0);
+});
+
+test('what a net goes back to while another is being opened does not reach that one, and the solver of this one if it stays', async () => {
+  await open('dome');
+  const before = state.snapshot()!;
+  const goBackWhileOpening = async (recipe: string, answer: (asked: Asked) => void) => {
+    state.change({ handles: [] });
+    const opening = opener.openScene(sceneOf(recipe)).catch(() => {});
+    await opener.restore(before);
+    expect([state.handles, restored]).toEqual([before.handles, 0]);
+    answer(asked.at(-1)!);
+    await opening;
+    await vi.runAllTimersAsync();
+  };
+  isReturning = true;
+  await goBackWhileOpening('cube', (each) => each.refuse());
+  expect(restored).toBe(0);
+  isReturning = false;
+  await goBackWhileOpening('cube', (each) => each.refuse());
+  expect(restored).toBe(1);
+  restored = 0;
+  await goBackWhileOpening('vault', (each) => each.answer(2));
+  expect([recipeNow(), state.handles.length, restored]).toEqual(['vault', 2, 0]);
 });
 
 test('a net that takes long is announced, and given up only for one that is open', async () => {

@@ -1,5 +1,5 @@
 /** What view and panels are shown, and how often. */
-import { beforeEach, expect, test } from 'vitest';
+import { beforeEach, expect, test, vi } from 'vitest';
 import { Presenter } from '../../web/src/app/presenter';
 import { State } from '../../web/src/app/state';
 import type { NetOrigin, Run } from '../../web/src/compare/run';
@@ -15,6 +15,7 @@ type Call = [method: string, ...given: unknown[]];
 let calls: Call[];
 let state: State;
 let presenter: Presenter;
+let isSolving: boolean;
 
 const named = (name: string) => calls.filter(([method]) => method === name);
 const names = () => calls.map(([method]) => method);
@@ -47,6 +48,7 @@ const runAt = (x: number, net: NetOrigin = state.opening!.document) =>
 
 beforeEach(() => {
   calls = [];
+  isSolving = true;
   state = new State(() => false, {
     document: () => {},
     presentation: () => presenter.schedule(),
@@ -63,7 +65,7 @@ beforeEach(() => {
     {
       state,
       choice: () => ({ selection: [], selecting: false, mode: 'translate', onBoundary: false, lines: 0 }),
-      solving: () => true,
+      solving: () => isSolving,
       guide: () => Promise.resolve(null),
     },
   );
@@ -112,6 +114,32 @@ test('handles that slide are presented with each frame that moves them, and noth
   expect(calls).toHaveLength(2);
 });
 
+test('numbers of a net that goes on moving follow its picture, each frame once, and those of one at rest come at once', async () => {
+  const pictures: (() => void)[] = [];
+  vi.stubGlobal('requestAnimationFrame', (draw: () => void) => pictures.push(draw));
+  // The view is told of the frame alone.
+  const said = () =>
+    calls.filter(([method, ...given]) => method === 'setFrame' && given.length > 1).map(([, frame]) => frame);
+  const frames = [0, 1, 2, 3, 4].map((x) => frameAt(x));
+  isSolving = true;
+  calls = [];
+  presenter.presentFrame(frames[0]!);
+  expect(names()).toEqual(['setFrame']);
+  pictures.shift()!();
+  await vi.waitFor(() => expect(said()).toEqual(frames.slice(0, 1)));
+  presenter.presentFrame(frames[1]!);
+  presenter.presentFrame(frames[2]!);
+  expect(said()).toEqual(frames.slice(0, 3));
+  presenter.presentFrame(frames[3]!);
+  isSolving = false;
+  presenter.presentFrame(frames[4]!);
+  expect(said()).toEqual(frames);
+  for (const draw of pictures) draw();
+  await new Promise((resume) => setTimeout(resume, 5));
+  expect(said()).toEqual(frames);
+  vi.unstubAllGlobals();
+});
+
 test('a run of a net that is not open any more is not shown', () => {
   calls = [];
   const other = { net: { recipe: 'dome' }, numbering: 1 };
@@ -139,6 +167,7 @@ test('a run has its net and handles shown until the own net moves', async () => 
   const shown = named('setHandles').at(-1)![1] as HandleData[];
   expect(shown).toEqual([{ vertex: 0, target: [7, 0, 0], anchor: true, name: 'foot' }]);
   state.takeFrame(frameAt(1), false);
+  isSolving = false;
   presenter.presentFrame(frameAt(1));
   expect(named('setRuns').at(-1)![1]).toBeNull();
   await afterwards();

@@ -322,6 +322,13 @@ describe('a worker that is lost', () => {
     expect(client.busy).toBe(false);
   });
 
+  test('is none that was suspended together with the page, whose timer comes before what it says', () => {
+    void client.solve().catch(() => {});
+    // The page was away for longer than that; its clock, for the test, was not.
+    vi.advanceTimersToNextTimer();
+    expect(workers).toHaveLength(1);
+  });
+
   test('is not missed while nothing is asked of it', () => {
     vi.advanceTimersByTime(60_000);
     expect(workers).toHaveLength(1);

@@ -48,9 +48,7 @@ describe('the worker', () => {
     expect(draped.fields.angle).toHaveLength(draped.net.info.vertices);
     expect(measured.report.coverage).toBeGreaterThan(0.95);
     expect(measured.report.gaps).toBe(0);
-    expect(draped.times.lay).toBeGreaterThan(0);
-    expect(draped.times.open).toBeGreaterThan(0);
-    expect(measured.milliseconds).toBeGreaterThan(0);
+    expect(Object.keys(draped.times)).toEqual(['lay', 'open']);
   });
 
   test('measures a net most of whose edges a border has cut by the length it was laid with', () => {

@@ -6,7 +6,7 @@ import { freshScene } from '../../web/src/document/defaults';
 import type { ChebnetDocument, Scene } from '../../web/src/document/document';
 import { sentenceOf } from '../../web/src/document/naming';
 import { parseProject, projectText } from '../../web/src/document/project';
-import { codeOf } from '../../web/src/failure';
+import { codeOf, Failure } from '../../web/src/failure';
 import { hashOf, sceneOf } from '../../web/src/projects/link';
 import { largestDistance, load, loadFirst } from '../wasm/load';
 import { openPage } from './page_without_pictures';
@@ -160,6 +160,38 @@ test('comes back in the worker after one that was lost, be it just told or not',
   expect(editor()).not.toBe(second);
   page.app.undo();
   await expectBack(document, state);
+});
+
+test('has options and moves that a lost worker had not answered, in the next one', async () => {
+  const { locality: _, ...everywhere } = scene;
+  await openAndDrag({ ...everywhere, initialisation: 'naive' });
+  const [document, state] = [present(), editor().state()];
+  const { method, initialisation } = document;
+  const options = { ...document.options, max_iterations: 77 };
+  const asked = [
+    page.app.setOptions({ method, initialisation, options }),
+    page.app.handles.move([{ vertex: dragged, target: at(dragged, -0.4) }]),
+  ];
+  page.loseWorker();
+  await Promise.all(asked);
+  await page.solve();
+  expect(present().options).toEqual(options);
+  expect(editor().state().options).toEqual({ ...state.options, max_iterations: 77 });
+  expect(editor().state().handles).toContainEqual({ vertex: dragged, target: at(dragged, -0.4) });
+  page.app.undo();
+  page.app.undo();
+  await expectBack(document, state);
+});
+
+test('is not said to be lost with what waited for it one by one; what another worker fails with is said', async () => {
+  const { app, said } = page;
+  const solving = app.step().catch((error: unknown) => app.report(error));
+  page.loseWorker();
+  await solving;
+  await page.solve();
+  expect(said).toHaveLength(1);
+  app.report(new Failure('worker_lost', 'no change'));
+  expect(said.slice(1)).toEqual(['No change.']);
 });
 
 test('what is asked of a net while another is being opened is refused, and reaches neither', async () => {

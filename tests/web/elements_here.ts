@@ -60,6 +60,11 @@ export class ElementHere extends EventTarget {
     return this.#children.length > 0;
   }
 
+  /** Of no selector that a panel asks for while it is made. */
+  matches(): boolean {
+    return false;
+  }
+
   contains(other: ElementHere | null): boolean {
     return other !== null && (other === this || this.contains(other.#parent));
   }
@@ -102,6 +107,12 @@ export class ElementHere extends EventTarget {
     this.#document.activeElement = this;
   }
 
+  setCustomValidity(): void {}
+
+  blur(): void {
+    if (this.#document.activeElement === this) this.#document.activeElement = null;
+  }
+
   scrollIntoView(): void {
     this.#document.scrolledTo = this;
   }
@@ -137,7 +148,7 @@ export class DocumentHere {
     return this.#active?.isSeen && !this.#active.disabled ? this.#active : null;
   }
 
-  set activeElement(element: ElementHere) {
+  set activeElement(element: ElementHere | null) {
     this.#active = element;
   }
 

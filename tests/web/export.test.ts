@@ -15,6 +15,7 @@ import { listsOf } from '../../web/src/handles/lines';
 import { type FieldName, fieldOf, scaleOf } from '../../web/src/fields/fields';
 import { fanTriangles } from '../../web/src/worker/triangles';
 import { load } from '../wasm/load';
+import { largestDistance } from '../wasm/load';
 import { glbParts } from './glb_parts';
 import { grid } from './nets';
 
@@ -42,7 +43,7 @@ test('a pattern is drawn to scale, with its boundary and handles', () => {
   const handles = [
     { vertex: 0, target: [0, 0, 0] as [number, number, number], anchor: true },
     { vertex: 11, target: [3, 2, 0] as [number, number, number], anchor: true },
-    { vertex: 5, target: [1, 1, 0] as [number, number, number], anchor: false, name: 'a<b>&\u0000' },
+    { vertex: 5, target: [1, 1, 0] as [number, number, number], anchor: false, name: 'a<b>&\u0000\uFFFE\uD800' },
   ];
   const editor = chebnet.openMesh({ ...net, positions: net.restPositions });
   const svg = patternSvg({ ...drawingOf(editor), handles, name: 'grid', edgeMm: 12.5 });
@@ -55,7 +56,7 @@ test('a pattern is drawn to scale, with its boundary and handles', () => {
   expect(svg).toContain('cx="12.5" cy="37.5"');
   expect(svg).toMatch(/text-anchor="start"[^>]*>0<\/text>/);
   expect(svg).toMatch(/text-anchor="end"[^>]*>11<\/text>/);
-  expect(svg).toContain('>a&lt;b&gt;&amp; </text>');
+  expect(svg).toContain('>a&lt;b&gt;&amp;   </text>');
 });
 
 test('the pieces of a net are drawn beside each other, with numbers, and are meshes of their own in a 3DM', async () => {
@@ -220,6 +221,21 @@ describe('glTF', () => {
     const lengths = edgeLengths(Float64Array.from(faces.positions), edges);
     expect(Math.max(...lengths) / Math.min(...lengths)).toBeCloseTo(1, 4);
     expect(root.rotation).toEqual([expect.closeTo(-Math.SQRT1_2), 0, 0, expect.closeTo(Math.SQRT1_2)]);
+  });
+
+  test('far from the origin holds a net as exactly, in a node that is there', async () => {
+    const far = positions.map((x, i) => x + [5.4e6, 6e5, 400][i % 3]!);
+    const { faces, lines, nodes } = glbParts(await glbOf({ ...painted, positions: far }));
+    const places = nodes.filter(({ mesh }) => mesh !== undefined).map(({ translation }) => translation!);
+    expect(places).toHaveLength(2);
+    expect(places[0]).toEqual(places[1]);
+    expect(lines.positions).toEqual(faces.positions);
+    expect(
+      largestDistance(
+        Float64Array.from(faces.positions, (x, i) => x + places[0]![i % 3]!),
+        far,
+      ),
+    ).toBeLessThan(1e-5);
   });
 
   test('stands as it is where y is up', async () => {

@@ -4,7 +4,7 @@ import type { Mesh } from '../../wasm/chebnet';
 import { freshScene } from '../../web/src/document/defaults';
 import type { FileNet, NetSource } from '../../web/src/document/document';
 import { parseProject, projectText, readProject, writeProject } from '../../web/src/document/project';
-import { Measure } from '../../web/src/document/undo';
+import { HANDLE_BYTES, Measure } from '../../web/src/document/undo';
 import { hashOf, sceneOf } from '../../web/src/projects/link';
 import { load } from '../wasm/load';
 import { uneven } from './nets';
@@ -32,11 +32,14 @@ async function pageWith(net: NetSource, entries = 6): Promise<Page> {
   return page;
 }
 
-function bytesOf(page: Page): { bytes: number; ofPositions: number } {
+/** Of a history in all, and of what else there is than its net. */
+function bytesOf(page: Page): { bytes: number; besideNet: number } {
   const states = page.app.project()!.entries.map(({ state }) => state);
   const measure = new Measure();
   for (const state of states) measure.add(state);
-  return { bytes: measure.bytes, ofPositions: new Set(states.map(({ positions }) => positions)).size * 8 * 3 * 63 };
+  const positions = new Set(states.map((state) => state.positions)).size * 8 * 3 * 63;
+  const handles = [...new Set(states.map((state) => state.handles))].flat().length * HANDLE_BYTES;
+  return { bytes: measure.bytes, besideNet: positions + handles };
 }
 
 test.each<[string, NetSource]>([
@@ -47,8 +50,8 @@ test.each<[string, NetSource]>([
   expect(new Set(netsOf(page)).size).toBe(1);
   expect(netsOf(page)).toHaveLength(6);
   expect(netOf(page)).toEqual({ mesh, name: 'sheet.obj' });
-  const { bytes, ofPositions } = bytesOf(page);
-  expect(bytes).toBe(BYTES + ofPositions);
+  const { bytes, besideNet } = bytesOf(page);
+  expect(bytes).toBe(BYTES + besideNet);
 });
 
 test('that came as text costs a document nothing: the page has the arrays anyway', async () => {

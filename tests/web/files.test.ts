@@ -76,7 +76,8 @@ describe("the core's table of formats says", () => {
   const dxf = { name: 'dxf', title: 'DXF', sentence: 'for drawings', mediaType: 'image/vnd.dxf' };
 
   test('what a picker accepts', () => {
-    expect(acceptOf([...formats, dxf])).toMatch(/^\.obj,\.ply,\.off,.*,\.dxf,\.glb,\.gltf,\.3dm,\.json$/);
+    expect(acceptOf([...formats, dxf], 'any')).toMatch(/^\.obj,\.ply,\.off,.*,\.dxf,\.glb,\.gltf,\.3dm,\.json$/);
+    expect(acceptOf(formats, 'mesh')).not.toContain('json');
   });
 
   test("what can be saved, with the page's own formats among them", () => {

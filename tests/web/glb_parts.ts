@@ -9,7 +9,7 @@ interface Primitive {
 interface Gltf {
   scene: number;
   scenes: { nodes: number[] }[];
-  nodes: { name?: string; children?: number[]; mesh?: number; rotation?: number[] }[];
+  nodes: { name?: string; children?: number[]; mesh?: number; rotation?: number[]; translation?: number[] }[];
   meshes: { primitives: Primitive[] }[];
   accessors: {
     bufferView: number;
@@ -49,6 +49,7 @@ export function glbParts(bytes: Uint8Array) {
   return {
     faces: part(primitives.find(({ mode }) => mode !== LINES)!),
     lines: part(primitives.find(({ mode }) => mode === LINES)!),
+    nodes: gltf.nodes,
     root: gltf.nodes[gltf.scenes[gltf.scene]!.nodes[0]!]!,
   };
 }

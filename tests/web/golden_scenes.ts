@@ -317,6 +317,7 @@ export const CHANGES: Record<Sentence, ChangeName[]> = {
   removeLine: [['removeLine']],
   join: [['join']],
   resize: [['resize']],
+  equalize: [['equalize']],
   method: [['method', { method: 'li2022' }]],
   initialisation: [['initialisation', { method: 'arap' }]],
   option: [['option', { option: 'p_end' }, '50']],

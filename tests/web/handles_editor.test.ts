@@ -134,6 +134,13 @@ test('a move can be undone before the solver has taken it, and one that it refus
   expect(history).toMatchObject({ canUndo: false, canRedo: true });
 });
 
+test('a move that a lost solver had not answered stays: the next one takes it from the document', async () => {
+  [refuses, returning] = [true, true];
+  await editor.move([{ vertex: 0, target: [0, 0, 2] }]);
+  expect(handles()[0]!.target).toEqual([0, 0, 2]);
+  expect(history.canUndo).toBe(true);
+});
+
 test('what is selected before the solver has taken a new handle stays so', async () => {
   editor.add(5);
   expect(editor.choice.selection).toEqual([5]);

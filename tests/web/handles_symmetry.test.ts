@@ -1,8 +1,10 @@
 /** Mirror images on a grid of 5 by 3 unit squares' vertices: columns 0 … 4, so x = 2 is the plane through the centre. */
 import { describe, expect, test } from 'vitest';
 import type { HandleData, Vec3 } from '../../web/src/document/document';
+import { PointGrid } from '../../web/src/handles/point_grid';
 import { Mirror, offsetOf } from '../../web/src/handles/symmetry';
 import { grid } from './nets';
+import { printedSeed, random } from './random';
 
 const net = grid(5, 3);
 const mirror = new Mirror({ axis: 'x', through: 'centre' }, net.restPositions, 1);
@@ -38,6 +40,38 @@ describe('partners', () => {
   test('are missing where the net has no other side', () => {
     expect(new Mirror({ axis: 'x', through: 'origin' }, net.restPositions, 1).partner(1)).toBeNull();
   });
+});
+
+test('the partner of a vertex is found among those near its mirror image alone, of however many', () => {
+  const side = 80;
+  let reads = 0;
+  const counted = new Proxy(grid(side, side).restPositions, {
+    get(positions, key) {
+      reads += 1;
+      const value: unknown = Reflect.get(positions, key);
+      return typeof value === 'function' ? value.bind(positions) : value;
+    },
+  });
+  const across = new Mirror({ axis: 'x', through: 'centre' }, counted, 1);
+  const vertices = Array.from({ length: side ** 2 }, (_, vertex) => vertex);
+  reads = 0;
+  const partners = vertices.map((vertex) => across.partner(vertex));
+  expect(reads).toBeLessThan(100 * side ** 2);
+  expect(partners).toEqual(vertices.map((vertex) => vertex + side - 1 - 2 * (vertex % side)));
+});
+
+test.each([0, 1e9, 1e16])('the nearest of points is found wherever they are: %s from the origin', (far) => {
+  const next = random(printedSeed('points'));
+  const points = Float64Array.from({ length: 600 }, () => far + 5 * next());
+  const near = new PointGrid(points, 0.5);
+  for (let round = 0; round < 200; ++round) {
+    const place: Vec3 = [far + 6 * next() - 0.5, far + 6 * next() - 0.5, far + 6 * next() - 0.5];
+    const distances = Array.from({ length: 200 }, (_, i) =>
+      Math.hypot(...place.map((x, axis) => x - points[3 * i + axis]!)),
+    );
+    const least = Math.min(...distances);
+    expect(near.nearest(place)).toBe(least <= 0.5 ? distances.lastIndexOf(least) : null);
+  }
 });
 
 describe('targets', () => {

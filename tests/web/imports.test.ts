@@ -1,48 +1,22 @@
-/** Imports of the page and includes of the core go down: no circle of files, and no arrow from a room to one above it; what
- *  a file of the core needs, it includes. */
+/** Imports of the page and includes of the core go down: no circle of files, and no arrow from a room to one above it. What
+ *  JavaScript has of the core, wasm/, stands below the page and above the core. What a file of the core needs, it includes, and what
+ *  one of the page exports, another one uses. */
 import { spawnSync } from 'node:child_process';
 import { readFileSync, readdirSync } from 'node:fs';
-import { dirname, join, relative } from 'node:path';
+import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, test } from 'vitest';
 import { ROOT } from '../wasm/load';
 
-/** Of each file those that it imports, by their paths in the folder. */
+/** Of each file those that it imports, by their paths. */
 type Imports = Map<string, string[]>;
 
-/** Rooms from the ground up. A file beside them is a room of its own. */
-const PAGE = [
-  // What any of them may lean on.
-  ...['failure.ts', 'net', 'language', 'fields', 'lazy.ts', 'elements', 'document'],
-  // What is done with a net.
-  ...[
-    'worker',
-    'files',
-    'equalize',
-    'handles',
-    'change',
-    'offline',
-    'view',
-    'drape',
-    'export',
-    'compare',
-    'experiments',
-  ],
-  // The controls: their contract with the page, and where they stand.
-  ...['panels.ts', 'overlay', 'dialogs', 'comparison', 'sidebar'],
-  // The page.
-  ...[
-    'app',
-    'keys.ts',
-    'learn',
-    'projects',
-    'script_arguments.ts',
-    'surface_script.ts',
-    'scripting.ts',
-    'embed',
-    'main.ts',
-  ],
-];
+/** Rooms from the ground up; a file beside them is a room of its own. Those of the page are read from its floor plan. */
+const PAGE = readFileSync(new URL('web/README.md', ROOT), 'utf8')
+  .split('```')[1]!
+  .trim()
+  .split('\n')
+  .map((line) => line.split(' ')[0]!);
 const CORE = [
   'base',
   'net',
@@ -57,6 +31,7 @@ const CORE = [
   'edit',
   'drape',
   'remesh',
+  'wasm',
   'cli',
 ];
 
@@ -89,16 +64,40 @@ describe.each([
   });
 });
 
+test('what a file of the page exports, another one uses', () => {
+  const root = fileURLToPath(ROOT);
+  const folders = ['web/src', 'web', 'tests/web', 'tests/browser', 'tests/engines', 'tests/wasm'];
+  const sources = folders.flatMap((folder) =>
+    readdirSync(join(root, folder), { recursive: folder === 'web/src', encoding: 'utf8' })
+      .filter((file) => file.endsWith('.ts'))
+      .map((file) => ({ file: join(folder, file), text: readFileSync(join(root, folder, file), 'utf8') })),
+  );
+  const users = new Map<string, Set<string>>();
+  for (const { file, text } of sources)
+    for (const [name] of text.replace(/\/\*[\s\S]*?\*\//g, '').matchAll(/[\w$]+/g))
+      users.set(name, (users.get(name) ?? new Set()).add(file));
+  const exported = sources
+    .filter(({ file }) => file.startsWith('web/src/'))
+    .flatMap(({ file, text }) =>
+      [...text.matchAll(/^export (?:async )?(?:interface|type|class|const|let|function\*?) ([\w$]+)/gm)].map(
+        ([, name]) => ({ file, name: name! }),
+      ),
+    );
+  expect(exported.length).toBeGreaterThan(500);
+  expect(exported.filter(({ name }) => users.get(name)!.size === 1)).toEqual([]);
+});
+
 // Eigen is precompiled for the library, and with it half of the standard one.
 test('what comes without Eigen includes all that it needs', { timeout: 240_000 }, () => {
-  const root = fileURLToPath(new URL('core', ROOT));
+  const root = fileURLToPath(ROOT);
   const includes = readIncludes();
   const comesWithEigen = (file: string): boolean =>
-    /^#include <Eigen\//m.test(readFileSync(join(root, file), 'utf8')) || includes.get(file)!.some(comesWithEigen);
+    /^#include <(Eigen|emscripten)\//m.test(readFileSync(join(root, file), 'utf8')) ||
+    includes.get(file)!.some(comesWithEigen);
   const others = [...includes.keys()].filter((file) => roomOf(file) !== 'cli' && !comesWithEigen(file));
-  expect(others).toContain('base/error.h');
+  expect(others).toContain('core/base/error.h');
   const compiler = process.env['CXX'] ?? 'c++';
-  const { stderr, status } = spawnSync(compiler, ['-fsyntax-only', '-std=c++20', '-w', '-I.', '-xc++', ...others], {
+  const { stderr, status } = spawnSync(compiler, ['-fsyntax-only', '-std=c++20', '-w', '-Icore', '-xc++', ...others], {
     cwd: root,
     encoding: 'utf8',
   });
@@ -106,29 +105,36 @@ test('what comes without Eigen includes all that it needs', { timeout: 240_000 }
 });
 
 function roomOf(file: string): string {
-  return file.split('/')[0]!;
+  return file.replace(/^(core|web\/src)\//, '').split('/')[0]!;
 }
 
-/** Of each source of the page those that it imports when it is loaded; what it loads later, by import(), is another matter. */
+/** Of each source of the page those that it imports: at once, by import(), or as a worker. */
 function readImports(): Imports {
-  return readFiles('web/src', /\.ts$/, (file, text) => {
-    const found = [...text.matchAll(/^(?:import|export)\s[^'"]*?'(\.[^']+)'|^import '(\.[^']+)'/gm)];
-    const paths = found.map(([, from, alone]) => relative('.', join(dirname(file), (from ?? alone)!)));
-    return paths.map((path) => [`${path}.ts`, path]);
-  });
+  const FORMS =
+    /^(?:import|export)\s[^'"]*?'(\.[^']+)'|^import '(\.[^']+)'|import\('(\.[^']+)'\)|new URL\('(\.[^']+)'/gm;
+  return readFiles(['web/src', 'wasm'], /\.m?[jt]s$/, (file, text) =>
+    [...text.matchAll(FORMS)].map(([, ...found]) => {
+      const path = join(dirname(file), found.find((each) => each !== undefined)!);
+      return [path, `${path}.ts`, `${path}.d.ts`];
+    }),
+  );
 }
 
 /** Of each source of the core the headers that it includes: by their path in core, or from beside it. */
 function readIncludes(): Imports {
-  return readFiles('core', /\.(h|cpp)$/, (file, text) =>
-    [...text.matchAll(/^#include "([^"]+)"/gm)].map(([, path]) => [path!, join(dirname(file), path!)]),
+  return readFiles(['core', 'wasm'], /\.(h|cpp)$/, (file, text) =>
+    [...text.matchAll(/^#include "([^"]+)"/gm)].map(([, path]) => [join('core', path!), join(dirname(file), path!)]),
   );
 }
 
 /** @param find of a file the paths that each of its imports may have; the first that is there counts. */
-function readFiles(folder: string, names: RegExp, find: (file: string, text: string) => string[][]): Imports {
-  const root = fileURLToPath(new URL(folder, ROOT));
-  const files = readdirSync(root, { recursive: true, encoding: 'utf8' }).filter((file) => names.test(file));
+function readFiles(folders: string[], names: RegExp, find: (file: string, text: string) => string[][]): Imports {
+  const root = fileURLToPath(ROOT);
+  const files = folders.flatMap((folder) =>
+    readdirSync(join(root, folder), { recursive: true, encoding: 'utf8' })
+      .filter((file) => names.test(file))
+      .map((file) => join(folder, file)),
+  );
   const known = new Set(files);
   const importsOf = (file: string) => {
     const text = readFileSync(join(root, file), 'utf8').replace(/\/\*[\s\S]*?\*\//g, '');

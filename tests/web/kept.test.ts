@@ -1,9 +1,10 @@
 /** What the browser keeps: of which net, under which name, and when it is written again; with its storage in a table here. */
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import type { App } from '../../web/src/app/app';
-import type { Project } from '../../web/src/document/project';
+import { type Project, readProject } from '../../web/src/document/project';
 import { UndoHistory } from '../../web/src/document/undo';
 import { Autosave } from '../../web/src/projects/autosave';
+import { read } from '../../web/src/projects/kept';
 import { documentAt } from './nets';
 
 type Store = (mode: string, doing: (objects: object) => unknown) => unknown;
@@ -17,10 +18,11 @@ vi.mock('idb-keyval', () => ({
       table.set(key, value);
       written.push(key);
     };
-    return doing({ put, transaction: { commit: () => {} } });
+    return doing({ put, delete: (key: string) => table.delete(key), transaction: { commit: () => {} } });
   },
   promisifyRequest: async () => {},
   get: async (key: string) => table.get(key),
+  getMany: async (keys: string[]) => keys.map((key) => table.get(key)),
   update: async (key: string, change: (value: unknown) => unknown) => table.set(key, change(table.get(key))),
   delMany: async (keys: string[]) => keys.forEach((key) => table.delete(key)),
 }));
@@ -32,6 +34,8 @@ let switchTab: () => void;
 let history: UndoHistory;
 let camera: number;
 let change: () => void;
+/** Nothing is under way. */
+let isQuiet: boolean;
 let autosave: Autosave;
 
 const snapshot = () => documentAt(new Float64Array(3));
@@ -49,10 +53,15 @@ beforeEach(() => {
   written.length = 0;
   held = [];
   camera = 1;
+  isQuiet = true;
   vi.stubGlobal('navigator', {
     locks: { request: async () => {}, query: async () => ({ held: held.map((name) => ({ name })) }) },
   });
-  vi.stubGlobal('sessionStorage', { setItem: () => {} });
+  const session = new Map<string, string>();
+  vi.stubGlobal('sessionStorage', {
+    getItem: (key: string) => session.get(key) ?? null,
+    setItem: (key: string, value: string) => session.set(key, value),
+  });
   vi.stubGlobal('location', { hash: '' });
   vi.stubGlobal('addEventListener', () => {});
   vi.stubGlobal('document', { addEventListener: (_: string, listener: () => void) => (switchTab = listener) });
@@ -63,7 +72,9 @@ beforeEach(() => {
     history,
     project,
     opening: null,
-    isQuiet: true,
+    get isQuiet() {
+      return isQuiet;
+    },
   };
   autosave = new Autosave(app as unknown as App, () => expect.fail('it was refused'), true);
 });
@@ -95,7 +106,18 @@ test('another net does not take the place of a project with a name, also where t
   expect(autosave.id).not.toBe('hall');
 });
 
-test('a tab that is only looked at writes nothing anew; one that is turned does', async () => {
+const turnTo = async (place: number) => {
+  camera = place;
+  switchTab();
+  await later();
+};
+/** Where the camera stands in what is opened again. */
+const kept = async () => {
+  const { project } = (await read('hall'))!;
+  return readProject(project).view.camera?.position[0];
+};
+
+test('a tab that is only looked at writes nothing anew; one that is turned writes its view alone', async () => {
   autosave.begin('hall', true);
   await later();
   for (let i = 0; i < 3; ++i) {
@@ -103,10 +125,34 @@ test('a tab that is only looked at writes nothing anew; one that is turned does'
     await later();
   }
   expect(written).toEqual(['hall']);
-  camera = 2;
-  switchTab();
+  await turnTo(2);
+  await turnTo(3);
+  expect(written).toEqual(['hall', 'view hall', 'view hall']);
+  expect(await kept()).toBe(3);
+
+  camera = 4;
+  await record(['move', '7']);
+  expect(written.at(-1)).toBe('hall');
+  expect([...table.keys()]).not.toContain('view hall');
+  expect(await kept()).toBe(4);
+});
+
+test('a project that goes on after a reload is turned, too; one that is not kept yet waits for a change', async () => {
+  autosave.begin('hall', true);
   await later();
-  expect(written).toEqual(['hall', 'hall']);
+  autosave.begin('hall', false);
+  await later();
+  await turnTo(2);
+  expect(written).toEqual(['hall', 'view hall']);
+
+  autosave.begin('copy', false);
+  await later();
+  await turnTo(3);
+  expect(written).toEqual(['hall', 'view hall']);
+  await record(['move', '7']);
+  await turnTo(4);
+  expect(written).toEqual(['hall', 'view hall', 'copy', 'view copy']);
+  expect(await kept()).toBe(2);
 });
 
 test('of those without a name the oldest goes, with its picture, unless a tab has it open', async () => {
@@ -121,4 +167,23 @@ test('of those without a name the oldest goes, with its picture, unless a tab ha
   expect(table.get('index')).toEqual(['eight', 'seven', 'six', 'five', 'four', 'three', 'one']);
   expect([...table.keys()].filter((key) => key.endsWith('two'))).toEqual([]);
   expect([...table.keys()].filter((key) => key.endsWith('one'))).toEqual(['one', 'look one']);
+});
+
+test('what is changed again and again before it comes to rest is stored all the same, after some time', async () => {
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'Date'] });
+  isQuiet = false;
+  autosave.begin('hall', true);
+  const frames = async (seconds: number) => {
+    for (let frame = 0; frame < 10 * seconds; ++frame) {
+      change();
+      vi.advanceTimersByTime(100);
+    }
+    await new Promise(setImmediate);
+  };
+  await frames(15);
+  expect(written).toEqual([]);
+  await frames(10);
+  expect(written).toEqual(['hall']);
+  await frames(20);
+  expect(written).toEqual(['hall', 'hall']);
 });

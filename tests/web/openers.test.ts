@@ -2,18 +2,26 @@
 import { afterEach, expect, test, vi } from 'vitest';
 import { codeOf } from '../../web/src/failure';
 import { freshScene } from '../../web/src/document/defaults';
+import { sentenceOf } from '../../web/src/document/naming';
 import { Openers } from '../../web/src/dialogs/openers';
 import { load } from '../wasm/load';
 import { openPage } from './page_without_pictures';
 
 // They ask the browser as soon as they are loaded.
-vi.mock('../../web/src/view/scene', () => ({}));
+vi.mock('../../web/src/view/scene', () => ({ createView: () => {} }));
 vi.mock('../../web/src/view/theme', () => ({}));
 /** Of each change that is under way, what ends it. */
 const ends: (() => void)[] = [];
 vi.mock('../../web/src/dialogs/change_dialog', () => ({
   ChangeDialog: class {
     until = () => new Promise((resolve) => ends.push(() => resolve({ origins: [] })));
+  },
+}));
+/** What an equaliser ends with. */
+const equalized = vi.hoisted(() => ({ result: Promise.resolve<unknown>(null) }));
+vi.mock('../../web/src/dialogs/equalize_dialog', () => ({
+  EqualizeDialog: class {
+    result = equalized.result;
   },
 }));
 afterEach(() => {
@@ -54,4 +62,17 @@ test('by a change that ends late replaces no net that was opened meanwhile; ther
   expect(await Promise.all(changes)).toEqual([false, false]);
   await vi.waitFor(() => expect(settled).toHaveBeenCalled());
   expect(app.opening!.document.net).toBe(document.net);
+});
+
+test('by equalising is a change of the one that is open, not another one', async () => {
+  const { app } = await openPage(await load());
+  await app.openScene(freshScene({ recipe: 'dome:vertices=100' }));
+  const { restPositions: positions, faceStart, faceVertices } = app.opening!.net;
+  equalized.result = Promise.resolve({
+    mesh: { positions, faceStart, faceVertices },
+    surface: null,
+    isResized: false,
+  });
+  await new Openers(app, {} as HTMLElement).equalizeNet();
+  expect(app.history.names.map(sentenceOf)).toEqual(['Open dome', 'Equalise edges']);
 });

@@ -31,7 +31,8 @@ export async function openPage(core: Editors, whole = core): Promise<Page> {
   let events!: PanelEvents;
   const panels: unknown = Object.assign(Object.create(silent), { say: (message: string) => said.push(message) });
   const parts = {
-    createView: () => Object.assign(Object.create(silent), { unframed: () => null, screenPositions: nowhere }),
+    createView: () =>
+      Object.assign(Object.create(silent), { behind: false, unframed: () => null, screenPositions: nowhere }),
     createBeside: () => silent,
     createPanels: (given: PanelEvents) => {
       events = given;

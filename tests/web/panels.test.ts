@@ -3,6 +3,7 @@ import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { App } from '../../web/src/app/app';
 import { newRun, type Run, type RunPlan } from '../../web/src/compare/run';
 import type { ChebnetDocument, HandleData, Vec3 } from '../../web/src/document/document';
+import type { HistoryView } from '../../web/src/document/undo';
 import { FIGURES } from '../../web/src/experiments/figures';
 import type { NewNetResponse } from '../../web/src/experiments/new_net_protocol';
 import { texts } from '../../web/src/experiments/texts';
@@ -15,6 +16,7 @@ import { type CutEvents, DrapeCuts } from '../../web/src/dialogs/drape_cuts';
 import { DrapeMaker } from '../../web/src/dialogs/drape_maker';
 import { Hints } from '../../web/src/learn/hints';
 import { words } from '../../web/src/language/language';
+import { MapEnds } from '../../web/src/overlay/map_ends';
 import { Messages } from '../../web/src/overlay/messages';
 import { OpeningNotice } from '../../web/src/overlay/opening_notice';
 import { PartNotice } from '../../web/src/overlay/part_notice';
@@ -22,16 +24,23 @@ import { RunNotice } from '../../web/src/overlay/run_notice';
 import { SelectionBar } from '../../web/src/overlay/selection_bar';
 import { SharpNotice } from '../../web/src/overlay/sharp_notice';
 import { StuckNotice } from '../../web/src/overlay/stuck_notice';
+import { Title } from '../../web/src/overlay/title';
+import { Toolbar } from '../../web/src/overlay/toolbar';
 import type { PanelEvents } from '../../web/src/panels';
 import { ChangePanel } from '../../web/src/sidebar/change_panel';
 import { DragPanel } from '../../web/src/sidebar/drag_panel';
+import { HandleGroupRow } from '../../web/src/sidebar/handle_group_row';
 import { hasNewNet, NewNetTrial } from '../../web/src/sidebar/new_net_trial';
+import { SolverPanel } from '../../web/src/sidebar/solver_panel';
 import { Softness } from '../../web/src/sidebar/softness';
 import { StepPanel } from '../../web/src/sidebar/step_panel';
 import { describe as describeNet } from '../../web/src/worker/opened_net';
 import type { FrameData } from '../../web/src/worker/protocol';
 import { load } from '../wasm/load';
 import { type DocumentHere, documentHere } from './elements_here';
+
+// It asks the browser for colours.
+vi.mock('../../web/src/view/theme', () => ({}));
 
 const SILENT = new Proxy({}, { get: () => () => {} });
 
@@ -65,6 +74,27 @@ describe('what goes while it has the focus leaves it to the picture:', () => {
     const bar = new SelectionBar(events);
     bar.setHandles([handle(3)], choose(3));
     leaves(panelWords.selection.remove, () => bar.setHandles([], choose()));
+  });
+
+  test('what takes the first handles, once there are any', () => {
+    const title = new Title(events, document.createElement('p'));
+    title.setHandles([], choose());
+    leaves(words.intro.propose, () => title.setHandles([handle(3)], choose()));
+  });
+
+  test('undo, once there is nothing left to undo', () => {
+    const toolbar = new Toolbar(events);
+    const history = { canUndo: true, canRedo: false } as HistoryView;
+    toolbar.setHistory(history);
+    leaves(words.toolbar.undo.label, () => toolbar.setHistory({ ...history, canUndo: false }));
+  });
+
+  test('undo and stop of the solver, where Enter once more would begin a solve', () => {
+    const panel = new SolverPanel(events);
+    panel.setHistory({ canUndo: true } as HistoryView);
+    leaves(panelWords.solver.undo, () => panel.setHistory({ canUndo: false } as HistoryView));
+    panel.setFrame({} as FrameData, 60, true);
+    leaves(panelWords.solver.cancel, () => panel.setFrame({} as FrameData, 60, false));
   });
 
   test('the notice that a part is shown', () => {
@@ -290,6 +320,35 @@ test('a locality between the steps of its slider is told as it is, with the focu
   slider!.tell('blur');
   expect(output!.value).toBe(told);
   expect(previewed).toEqual([30, 11, undefined]);
+});
+
+test.each([
+  ['of an input method takes what it offers', { isComposing: true, keyCode: 229 }, true],
+  ['of one in Safari, which has ended composing by then, likewise', { isComposing: false, keyCode: 229 }, true],
+  ['alone ends it', { isComposing: false, keyCode: 13 }, false],
+])('while handles are renamed, Enter %s', (_, key, goesOn) => {
+  const row = new HandleGroupRow({ select() {}, change() {}, remove() {} });
+  const [field] = page.all('input');
+  field!.hidden = false;
+  row.update([handle(3)], false);
+  field!.focus();
+  field!.dispatchEvent(Object.assign(new Event('keydown'), { key: 'Enter', ...key }));
+  expect(page.activeElement === field).toBe(goesOn);
+});
+
+test('the ends of colours take decimal commas as they are typed, and as they stand', () => {
+  const setView = vi.fn<PanelEvents['setView']>();
+  const typed = vi.fn();
+  Object.assign(page, { execCommand: typed });
+  new MapEnds({ setView });
+  const [high, low] = page.all('input');
+  high!.dispatchEvent(Object.assign(new Event('beforeinput', { cancelable: true }), { data: ',' }));
+  expect(typed).toHaveBeenCalledWith('insertText', false, '.');
+  high!.dispatchEvent(Object.assign(new Event('beforeinput'), { data: '1,' })); // an input method's
+  expect(typed).toHaveBeenCalledTimes(1);
+  [low!.value, high!.value] = ['1,5e-7', '1.250'];
+  high!.tell('change');
+  expect(setView).toHaveBeenCalledWith({ ends: { deviation: [1.5e-7, 1.25] } });
 });
 
 test('the weight of a handle is told as it is set, also with the focus, but not while it is being moved', () => {

@@ -2,7 +2,13 @@
 import { describe, expect, test, vi } from 'vitest';
 import { ProjectRow } from '../../web/src/dialogs/project_row';
 import { asFileName } from '../../web/src/files/file_name';
-import { type HandleData, LONGEST_PROJECT_NAME, type NetSource } from '../../web/src/document/document';
+import {
+  type CameraPlace,
+  type HandleData,
+  LONGEST_PROJECT_NAME,
+  type NetSource,
+  type Vec3,
+} from '../../web/src/document/document';
 import {
   checkSize,
   leastBytes,
@@ -232,6 +238,69 @@ describe('an entry', () => {
   });
 });
 
+test('handles that states share are written once, as they are in a file where each state has its own', () => {
+  const positions = new Float64Array(3);
+  const [stays, moves] = [0, 1].map((vertex): HandleData => ({ vertex, target: [0, 0, vertex], anchor: false }));
+  const [before, after] = [
+    [stays!, moves!],
+    [stays!, { ...moves!, target: [1, 2, 3] as Vec3 }],
+  ];
+  const states = [before, before, after].map((handles) => ({ ...stateAt(positions), handles }));
+  const written = writeProject(projectOf(states), Infinity)['states'] as { handles: unknown[] }[];
+  expect(written[1]!.handles).toBe(written[0]!.handles);
+  expect(written[2]!.handles[0]).toBe(written[0]!.handles[0]);
+  expect(parseProject(projectText(projectOf(states))).entries.map(({ state }) => state.handles)).toEqual([
+    before,
+    before,
+    after,
+  ]);
+});
+
+describe('a long history with many handles that states share', () => {
+  const handles = Array.from({ length: 5000 }, (_, vertex): HandleData => {
+    return { vertex, target: [vertex / 3, -0, 1 / (vertex + 1)], anchor: false };
+  });
+  const [net, positions] = [{ recipe: 'vault' }, new Float64Array(3)];
+  const long = projectOf(Array.from({ length: 200 }, () => ({ ...stateAt(positions), net, handles })));
+  const distinct = ({ entries }: Project) => new Set(entries.map(({ state }) => state.handles)).size;
+
+  test('stays whole however often it is kept and read again', () => {
+    let project = long;
+    for (let round = 0; round < 2; ++round) project = readProject(structuredClone(writeProject(project, 8e6)));
+    expect([project.entries.length, distinct(project)]).toEqual([200, 1]);
+  });
+
+  test('is cut in a file, where each state has its own, rather than too large; what is left shares them again', () => {
+    const text = projectText(long);
+    expect(() => checkSize('long', text.length)).not.toThrow();
+    const read = parseProject(text);
+    expect(read.entries.length).toBeGreaterThan(10);
+    expect(distinct(read)).toBe(1);
+  });
+});
+
+test('states with other handles do not share them, whatever small it is that differs', () => {
+  const handle: HandleData = { vertex: 0, target: [0, 0, 0], anchor: false };
+  const others: HandleData[] = [
+    handle,
+    { ...handle, target: [0, 0, -0] },
+    { ...handle, weight: 1 },
+    { ...handle, weight: 2 },
+    handle,
+  ];
+  const project = projectOf(others.map((each) => ({ ...stateAt(new Float64Array(3)), handles: [each] })));
+  expect(readProject(writeProject(project, Infinity))).toEqual(project);
+});
+
+test('the camera of a net far from the origin comes back, and is none where it was written too coarsely', () => {
+  const project = projectOf([stateAt(new Float64Array(3))]);
+  const camera: CameraPlace = { position: [5.4e6 + 0.25, 1e8, 1e8 - 3], target: [5.4e6, 1e8, 1e8] };
+  const written = projectText({ ...project, view: { ...project.view, camera } });
+  expect(parseProject(written).view.camera).toEqual(camera);
+  const coarse = written.replace(/"camera":\[[^\]]*\]/, '"camera":[1,2,3,1,2,3]');
+  expect(parseProject(coarse).view.camera).toBeNull();
+});
+
 describe('a hostile project is refused, and it is said where', () => {
   const entry: Entry = {
     name: 'open',
@@ -277,7 +346,7 @@ describe('a hostile project is refused, and it is said where', () => {
     ['"numbering":7', '"numbering":"7"', /^states\[0\]\.numbering must be/],
     ['{"recipe":"vault:vertices=1000"}', '{"obj":"v"}', /^nets\[0\]\.name must be/],
     ['{"recipe":"vault:vertices=1000"}', '"vault"', /^nets\[0\] must be/],
-    ['"camera":null', '"camera":[1,2,3,1,2,3]', /^view\.camera must be/],
+    ['"camera":null', '"camera":[1,2,3,1,2]', /^view\.camera must be/],
     ['"field":"deviation"', '"field":"__proto__"', /^view\.field must be one of/],
     ['AAAAAAAA8D8AAAAAAAAAQAAAAAAAAAhA', 'AAAAAAAA8D8AAAAAAAAAQA==', /^positions\[0\] must be/],
     ['AAAAAAAA8D8AAAAAAAAAQAAAAAAAAAhA', 'AAAAAAAA8D8AAAAAAAAAQAAAAAAAA', /^positions\[0\] must be/],

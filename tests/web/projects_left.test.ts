@@ -5,6 +5,7 @@ import { freshScene } from '../../web/src/document/defaults';
 import { writeProject } from '../../web/src/document/project';
 import type { Project } from '../../web/src/document/project';
 import { UndoHistory } from '../../web/src/document/undo';
+import { Failure } from '../../web/src/failure';
 import { keptWords } from '../../web/src/language/kept';
 import type { Action } from '../../web/src/panels';
 import { Projects } from '../../web/src/projects/projects';
@@ -14,7 +15,11 @@ const LINK = '#v2=x';
 const snapshot = () => documentAt(new Float64Array(3));
 const project: Project = { entries: [{ name: ['newNet'], state: snapshot() }], present: 0, view: snapshot().view };
 
+/** Locks of other tabs. */
+const { elsewhere } = vi.hoisted(() => ({ elsewhere: new Set<string>() }));
 vi.mock('../../web/src/projects/kept', () => ({
+  heldLocks: async () => elsewhere,
+  lockOf: (id: string) => id,
   claim: async () => true,
   findLast: async () => ({ id: 'last', project: writeProject(project, Infinity) }),
   isMadeOfLink: () => false,
@@ -37,23 +42,39 @@ let opened: string[];
 let reload: ReturnType<typeof vi.fn<() => void>>;
 /** The name of what the page was opening when it died; null: it did not. */
 let died: string | null;
+/** Where the page hears that it is left. */
+let leaving: EventTarget;
+/** When what has been opened has settled. */
+let settling: Promise<void>;
+/** How what is opened is refused; null: it is not. */
+let fault: Error | null;
 
 beforeEach(() => {
   history = new UndoHistory();
   [action, offered, opened, died] = [undefined, [], [], null];
+  [settling, fault] = [Promise.resolve(), null];
   reload = vi.fn();
   vi.stubGlobal('location', { hash: '', pathname: '/', search: '', reload });
-  vi.stubGlobal('localStorage', { getItem: () => died, setItem: () => {}, removeItem: () => {} });
-  vi.stubGlobal('addEventListener', () => {});
+  vi.stubGlobal('localStorage', {
+    getItem: () => died,
+    setItem: (_: string, what: string) => (died = what),
+    removeItem: () => (died = null),
+  });
+  leaving = new EventTarget();
+  for (const name of ['addEventListener', 'removeEventListener'] as const)
+    vi.stubGlobal(name, (...of: Parameters<EventTarget['addEventListener']>) => leaving[name](...of));
   vi.stubGlobal('document', { addEventListener: () => {} });
 });
-afterEach(() => void vi.unstubAllGlobals());
+afterEach(() => {
+  vi.unstubAllGlobals();
+  elsewhere.clear();
+});
 
 async function start(keeps: boolean): Promise<Projects> {
   const app = {
     on: () => {},
     start: async () => {},
-    settled: async () => {},
+    settled: () => settling,
     isQuiet: true,
     history,
     get opening() {
@@ -64,10 +85,15 @@ async function start(keeps: boolean): Promise<Projects> {
       opened.push('scene');
       history.begin(project.entries, 0);
     },
-    openProject: async () => void opened.push('project'),
+    openProject: async () => {
+      if (fault) throw fault;
+      opened.push('project');
+    },
     say: (_: string, offer?: Action) => (action = offer),
     offer: (why: string) => offered.push(why),
-    report: (error: unknown) => expect.fail(String(error)),
+    report: (error: unknown) => {
+      if (error !== fault) expect.fail(String(error));
+    },
   };
   const projects = new Projects(app as unknown as App, keeps);
   await projects.start();
@@ -102,4 +128,23 @@ test.each([
   await projects.reload();
   expect(offered).toContain(keptWords.notKept);
   expect(reload).not.toHaveBeenCalled();
+});
+
+test('a page that is left in good order while what it opens is being solved has not died; one whose solver did has', async () => {
+  settling = new Promise(() => {});
+  await start(true);
+  expect(died).toBe('last');
+  leaving.dispatchEvent(new Event('pagehide'));
+  expect(died).toBeNull();
+  fault = new Failure('worker_lost', 'crashed');
+  await start(true);
+  leaving.dispatchEvent(new Event('pagehide'));
+  expect(died).toBe('last');
+});
+
+test('what another tab is opening at the same time has not stopped it', async () => {
+  died = 'last';
+  elsewhere.add('opening last');
+  await start(true);
+  expect(opened).toEqual(['project']);
 });

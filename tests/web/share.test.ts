@@ -1,6 +1,6 @@
 /** Links: a scene goes in and comes out, and nothing else does. */
 import { deflateSync } from 'fflate';
-import { describe, expect, test } from 'vitest';
+import { describe, expect, test, vi } from 'vitest';
 import type { ChebnetDocument, Vec3 } from '../../web/src/document/document';
 import { packMesh } from '../../web/src/document/packed_mesh';
 import { unpackPositions } from '../../web/src/document/packing';
@@ -11,6 +11,17 @@ import { largestDistance } from '../wasm/load';
 import { hashWithZeros } from './hash_with_zeros';
 import { documentAt, grid, million } from './nets';
 import { printedSeed, random } from './random';
+
+/** What has been deflated, which is what takes the time. */
+const deflated = vi.hoisted(() => ({ bytes: 0 }));
+vi.mock('fflate', async (load) => {
+  const fflate = await load<typeof import('fflate')>();
+  const deflateSync: typeof fflate.deflateSync = (data, options) => {
+    deflated.bytes += data.length;
+    return fflate.deflateSync(data, options);
+  };
+  return { ...fflate, deflateSync };
+});
 
 const net = grid(10, 10);
 const SQUARE = {
@@ -176,14 +187,14 @@ describe('what is too large', () => {
 
   test('by far is refused by its number of vertices, also for a QR code', () => {
     const mesh = million();
-    const start = performance.now();
+    deflated.bytes = 0;
     const document = { ...documentAt(mesh.positions), net: { mesh, name: 'large.obj' } };
     const open = { ...net, restPositions: mesh.positions };
     expect(encodeScene(document, open, 1e-6)).toEqual({ hash: null });
     const dragged = mesh.positions.map((x) => x + 1);
     expect(encodeScene(documentAt(dragged), open, 1e-6, 3000)).toMatchObject({ positions: false });
     expect(encodeScene(documentAt(mesh.positions), open, 1e-6, 3000)).toMatchObject({ positions: true });
-    expect(performance.now() - start).toBeLessThan(1000);
+    expect(deflated.bytes).toBeLessThan(10_000);
   });
 
   test('is a surface that a visitor brought: it is left out, and this is said; one of ours is named', () => {
@@ -396,7 +407,6 @@ describe('hostile links are refused', () => {
     ['"li2022"', '{}'],
     ['"camera":null', '"camera":[1,2,3]'],
     ['"camera":null', '"camera":[1,2,3,4,5,1e999]'],
-    ['"camera":null', '"camera":[1,2,3,1,2,3]'],
     ['"deviation"', '"__proto__"'],
     ['"paper"', '"rainbow"'],
     ['"showFaces":true', '"showFaces":true,"upAxis":"x"'],

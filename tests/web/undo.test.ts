@@ -124,6 +124,29 @@ test('changes of the same key join, until another comes between', () => {
   ]);
 });
 
+test('a change that joined one before and then failed leaves that one its name, unless another came after it', () => {
+  const history = new UndoHistory();
+  history.record(state(0), 'limit 20', 'limit');
+  const refused = state(1);
+  history.record(refused, 'limit 500', 'limit');
+  expect(history.takeBack(refused)).toBe(false);
+  expect(history.names).toEqual(['', 'limit 20']);
+  history.record(refused, 'limit 500', 'limit');
+  history.record(state(2), 'limit 30', 'limit');
+  history.takeBack(refused);
+  expect(history.names).toEqual(['', 'limit 30']);
+  const both = [state(2), state(3)];
+  history.record(both[0]!, 'limit 500', 'limit');
+  history.record(both[1]!, 'limit 600', 'limit');
+  for (const each of both) history.takeBack(each);
+  expect(history.names).toEqual(['', 'limit 30']);
+  const left = state(3);
+  history.record(left, 'limit 500', 'limit');
+  history.undo(state(4));
+  history.takeBack(left);
+  expect(history.names).toEqual(['', 'limit 500']);
+});
+
 test('forgets the oldest states of large nets, never the last', () => {
   const history = new UndoHistory();
   for (let i = 0; i < 8; ++i) history.record(state(i, new Float64Array(2e6)), 'move');
@@ -132,6 +155,17 @@ test('forgets the oldest states of large nets, never the last', () => {
   expect(undone).toBe(6);
   history.record(state(0, new Float64Array(30e6)), 'move');
   expect(history.canUndo).toBe(true);
+});
+
+test('thousands of handles take room, too; those that states share take it once', () => {
+  const handles = Array.from({ length: 5000 }, (_, vertex) => ({ vertex, target: [0, 0, 0], anchor: false }));
+  const forgottenOf = (handlesNow: () => object[]) => {
+    const history = new UndoHistory();
+    for (let i = 0; i < 200; ++i) history.record({ ...state(i), handles: handlesNow() } as Snapshot, 'move');
+    return history.forgotten;
+  };
+  expect(forgottenOf(() => handles)).toBe(0);
+  expect(forgottenOf(() => [...handles])).toBeGreaterThan(0);
 });
 
 test('has a name for each state, the first and those undone too', () => {

@@ -17,12 +17,13 @@ let said: string[];
 let report: DragReport;
 let gestures: Gestures;
 
-/** Of a mouse, on the canvas. */
-function point(type: string, x: number, buttons: number): void {
+/** Of a mouse, on the canvas, unless it is said. */
+function point(type: string, x: number, buttons: number, of: Partial<PointerEvent> = {}): Event {
   const event = new Event(type);
   const how = { pointerId: 1, pointerType: 'mouse', isPrimary: true, button: 0, buttons, clientX: x, clientY: 0 };
   Object.defineProperty(event, 'target', { value: canvas });
-  above.dispatchEvent(Object.assign(event, how));
+  above.dispatchEvent(Object.assign(event, how, of));
+  return event;
 }
 
 beforeEach(() => {
@@ -87,17 +88,28 @@ test('an arrow whose release the page was not told of is let go with the next mo
   report.begin([7]);
   report.move([]);
   point('pointermove', FREE, 0);
-  expect(said).toEqual(['start', 'released', 'move', 'end']);
+  expect(said).toEqual(['start', 'move', 'released', 'end']);
   point('pointermove', HANDLE, 0);
   expect(report.isUnderWay).toBe(false);
+});
+
+test.each([GIZMO, FREE])('of two fingers, the first at %s, the camera hears every move', (first) => {
+  const [one, other] = [1, 2].map((pointerId) => ({ pointerId, pointerType: 'touch', isPrimary: pointerId === 1 }));
+  point('pointerdown', first, 1, one);
+  point('pointerdown', FREE, 1, other);
+  for (let step = 1; step <= 10; ++step) {
+    point('pointermove', first - 5 * step, 1, one);
+    // What is stopped does not reach the canvas.
+    expect(point('pointermove', FREE + 5 * step, 1, other).cancelBubble, `step ${step}`).toBe(false);
+  }
 });
 
 test('what is in hand when its net goes is given up: the pointer moves nothing more, and its release is no click', () => {
   point('pointerdown', HANDLE, 1);
   point('pointermove', FREE, 1);
   gestures.giveUp();
-  expect(said).toEqual(['start', 'released', 'cancel']);
+  expect(said).toEqual(['start', 'move', 'released', 'cancel']);
   point('pointermove', HANDLE, 1);
   point('pointerup', HANDLE, 0);
-  expect(said).toEqual(['start', 'released', 'cancel']);
+  expect(said).toEqual(['start', 'move', 'released', 'cancel']);
 });

@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { ShapeInfo, TraceRow } from '../../wasm/chebnet';
 import { longestMove } from '../../web/src/document/longest_move';
+import { withPoint } from '../../web/src/elements/number_input';
 import type { HistoryView } from '../../web/src/document/undo';
 import type { Choice } from '../../web/src/handles/commands';
 import { Convergence } from '../../web/src/net/convergence';
@@ -165,11 +166,27 @@ test('numbers are put in words', () => {
     '292',
     '∞',
   ]);
+  // As the energy of what hangs.
+  expect([-0.684, -4.23e-7, -1e-30].map(small)).toEqual(['-0.68', '-4.2e-7', '< 1e-16']);
   expect([0.04, 9.96, 152.4].map(milliseconds)).toEqual(['0.0', '10.0', '152']);
   expect([coordinate(1.23456789, 0.1), coordinate(-1234.5678, 30), coordinate(2, 1)]).toEqual([
     '1.23457',
     '-1234.568',
     '2',
+  ]);
+});
+
+test('a comma is a decimal point, but for thousands', () => {
+  expect(['0,5', '-,25', '1,250', '0,250', '1,5e-7', '1,250E+3', '3', '1e-3', 'x'].map(withPoint)).toEqual([
+    '0.5',
+    '-.25',
+    '1,250',
+    '0.250',
+    '1.5e-7',
+    '1.250E+3',
+    '3',
+    '1e-3',
+    'x',
   ]);
 });
 

@@ -2,6 +2,7 @@
 import type { App, AppServices } from './app/app';
 import { isApplied } from './elements/dom';
 import { chordOf, type KeyRow } from './elements/keys';
+import { areSingleKeysOn, isSingleKey } from './elements/single_keys';
 
 interface PageKey extends KeyRow {
   /** In a field for text too, or in one for a number that has been applied. */
@@ -49,6 +50,7 @@ export function commandOf(event: KeyboardEvent): PageKey['run'] | null {
   const isModal = document.querySelector('dialog:modal') !== null;
   if (event.defaultPrevented || isModal) return null;
   const chord = chordOf(event);
+  if (isSingleKey(chord) && !areSingleKeysOn()) return null;
   const row = PAGE_KEYS.find(({ keys, inFields }) => keys.includes(chord) && worksIn(inFields, event));
   return row?.run ?? null;
 }

@@ -37,8 +37,8 @@ const services: AppServices = {
   saveProject,
   chooseProject: () => attempt(() => projects.choose(element('panels'))),
   restoreLast: () => attempt(() => projects.restoreLast()),
-  equalize: () => attempt(async () => (await openers()).equalizeNet()),
-  drape: () => attempt(async () => (await openers()).drapeNet()),
+  equalize: () => attempt(() => openDialog(openers(), (all) => all.equalizeNet())),
+  drape: () => attempt(() => openDialog(openers(), (all) => all.drapeNet())),
   changeNet: (wanted) => attempt(() => changeNet(wanted)),
   share: () => attempt(share),
   save: (request) => attempt(() => saveAs(request)),
@@ -90,6 +90,8 @@ else {
 
 addEventListener('hashchange', () => attempt(followLink));
 addEventListener('keydown', pressKey);
+// A dialog that began with no control of the page, as with a file that was dropped, gives the focus back to nothing.
+addEventListener('close', () => setTimeout(focusSomething), true);
 addEventListener('dragover', (event) => {
   event.preventDefault();
   attempt(dropPlace);
@@ -126,6 +128,12 @@ function attempt(doing: () => Promise<unknown>): void {
   doing().catch((error: unknown) => app.report(error));
 }
 
+/** Once what it needs is loaded, and not over one that was asked for meanwhile: by the other half of a double click, for one. */
+async function openDialog<T>(loading: Promise<T>, open: (loaded: T) => unknown): Promise<void> {
+  const loaded = await loading;
+  if (document.querySelector('dialog:modal') === null) await open(loaded);
+}
+
 async function followLink(): Promise<void> {
   if (location.hash.length <= 1) return;
   await ready;
@@ -134,7 +142,7 @@ async function followLink(): Promise<void> {
 
 async function share(): Promise<void> {
   followed('share');
-  (await sharing()).share(app, element('panels'), spawnSolver);
+  await openDialog(sharing(), (all) => all.share(app, element('panels'), spawnSolver));
 }
 
 function changeNet(wanted: WantedChange): Promise<boolean> {
@@ -196,13 +204,17 @@ function saveProject(): void {
 }
 
 async function pickAndOpen(): Promise<void> {
-  await openFile(await pickFile(app.formats));
+  await openFile(await pickFile(app.formats, 'any'));
 }
 
 async function openFile(file: File | null): Promise<void> {
   if (file === null) return;
   if (projects.isProject(file)) await projects.openFile(file);
   else await (await openers()).openFile(file);
+}
+
+function focusSomething(): void {
+  if (document.activeElement === document.body) document.querySelector('canvas')?.focus();
 }
 
 function pressKey(event: KeyboardEvent): void {
@@ -212,7 +224,8 @@ function pressKey(event: KeyboardEvent): void {
   command(app, services);
 }
 
-async function showKeys(): Promise<void> {
-  const [{ showKeySheet }, { LATE_TABLES }] = await Promise.all([keySheet(), lateKeys()]);
-  showKeySheet(element('panels'), [{ where: 'page', rows: PAGE_KEYS }, ...LATE_TABLES]);
+function showKeys(): Promise<void> {
+  return openDialog(Promise.all([keySheet(), lateKeys()]), ([{ showKeySheet }, { LATE_TABLES }]) =>
+    showKeySheet(element('panels'), [{ where: 'page', rows: PAGE_KEYS }, ...LATE_TABLES]),
+  );
 }

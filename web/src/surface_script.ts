@@ -53,7 +53,7 @@ export async function describe(given: Untrusted): Promise<SurfaceReport> {
 
 export async function drape(app: App, given: Untrusted, options: Untrusted): Promise<LaidReport> {
   const guide = surfaceOf(given);
-  const { seed, direction, length, cells = SUGGESTED_CELLS, cuts = [], ...rest } = readDrape(options);
+  const { seed, direction, length, cells = SUGGESTED_CELLS, cuts = [], ...rest } = readOptions(options, DRAPE);
   return withSurface(guide, async (draper, { report: { area } }) => {
     const how = { ...rest, length: length ?? Math.sqrt(area / cells) };
     const directed = { ...how, ...(direction && { direction }) };
@@ -75,7 +75,7 @@ export async function remesh(
   watching: Untrusted,
 ): Promise<WholeReport> {
   const guide = surfaceOf(given);
-  const wanted = readRemesh(options);
+  const wanted = readOptions(options, REMESH);
   const watch = readWatch(watching);
   return withSurface(guide, async (draper) => {
     const made = await draper.ask({ type: 'remesh', options: wanted }, 'remeshed', watch);
@@ -157,51 +157,51 @@ function readWatch(watch: Untrusted): Watch {
   });
 }
 
-function readDrape(options: Untrusted): ScriptDrape {
-  return given({
-    seed: options.at('seed').maybe((each) => each.point()),
-    direction: options.at('direction').maybe((each) => each.point()),
-    length: options.at('length').maybe((each) => each.positive()),
-    cells: options.at('cells').maybe((each) => each.positive()),
-    angle: options.at('angle').maybe((each) => each.positive()),
-    smallestAngle: options.at('smallestAngle').maybe((each) => each.positive()),
-    reach: options.at('reach').maybe((each) => each.index(2 ** 31)),
-    border: options.at('border').maybe((each) => each.oneOf(['inside', 'beyond', 'cut'] as const)),
-    arms: options.at('arms').maybe((each) => each.oneOf(['geodesic', 'least_shear', 'curve'] as const)),
-    along: options.at('along').maybe(readPoints),
-    cuts: options.at('cuts').maybe((each) => (each.value === 'proposed' ? each.value : readLines(each))),
-    leave: options.at('leave').maybe((each) => each.number()),
-  });
-}
+type Readers<T> = { [Name in keyof Required<T>]: (value: Untrusted) => Required<T>[Name] };
 
-function readRemesh(options: Untrusted): RemeshOptions {
-  return given({
-    cells: options.at('cells').maybe((each) => each.index(2 ** 31)),
-    length: options.at('length').maybe((each) => each.positive()),
-    smallestAngle: options.at('smallestAngle').maybe((each) => each.number()),
-    smoothing: options.at('smoothing').maybe((each) => each.number()),
-    fewest: options.at('fewest').maybe((each) => each.flag()),
-    crease: options.at('crease').maybe((each) => each.number()),
-    markedCreases: options.at('markedCreases').maybe(readLines),
-    border: options
-      .at('border')
-      .maybe((each) => each.oneOf(['fitting', 'always', 'outer', 'across', 'never'] as const)),
-    only: options.at('only').maybe((each) => each.flag()),
-    singular: options.at('singular').maybe((list) =>
-      // Whether there can be such, the core says.
-      list.list(MOST_MARKS).map((each) => ({
-        point: each.at('point').point(),
-        valence: each.at('valence').index(100) as WishedSingular['valence'],
-      })),
-    ),
-    forbidden: options
-      .at('forbidden')
-      .maybe((list) =>
-        list
-          .list(MOST_MARKS)
-          .map((each) => ({ centre: each.at('centre').point(), radius: each.at('radius').positive() })),
-      ),
+const DRAPE: Readers<ScriptDrape> = {
+  seed: (each) => each.point(),
+  direction: (each) => each.point(),
+  length: (each) => each.positive(),
+  cells: (each) => each.positive(),
+  angle: (each) => each.positive(),
+  smallestAngle: (each) => each.positive(),
+  reach: (each) => each.index(2 ** 31),
+  border: (each) => each.oneOf(['inside', 'beyond', 'cut'] as const),
+  arms: (each) => each.oneOf(['geodesic', 'least_shear', 'curve'] as const),
+  along: readPoints,
+  cuts: (each) => (each.value === 'proposed' ? each.value : readLines(each)),
+  leave: (each) => each.number(),
+};
+
+const REMESH: Readers<RemeshOptions> = {
+  cells: (each) => each.index(2 ** 31),
+  length: (each) => each.positive(),
+  smallestAngle: (each) => each.number(),
+  smoothing: (each) => each.number(),
+  fewest: (each) => each.flag(),
+  crease: (each) => each.number(),
+  markedCreases: readLines,
+  border: (each) => each.oneOf(['fitting', 'always', 'outer', 'across', 'never'] as const),
+  only: (each) => each.flag(),
+  singular: (each) =>
+    // Whether there can be such, the core says.
+    each.list(MOST_MARKS).map((mark) => ({
+      point: mark.at('point').point(),
+      valence: mark.at('valence').index(100) as WishedSingular['valence'],
+    })),
+  forbidden: (each) =>
+    each.list(MOST_MARKS).map((mark) => ({ centre: mark.at('centre').point(), radius: mark.at('radius').positive() })),
+};
+
+/** Those that are given. One that does not exist is refused: it would have been a wish. */
+function readOptions<T extends object>(options: Untrusted, readers: Readers<T>): T {
+  const isKnown = (name: string): name is Extract<keyof T, string> => Object.hasOwn(readers, name);
+  const read = options.fields().map(([name, value]) => {
+    if (!isKnown(name)) throw new Failure('bad_option', dialogWords.drape.unknownOption(name, Object.keys(readers)));
+    return [name, value.maybe(readers[name])];
   });
+  return given(Object.fromEntries(read)) as T;
 }
 
 function readLines(lines: Untrusted): Point[][] {

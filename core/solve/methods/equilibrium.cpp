@@ -2,9 +2,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <utility>
 #include <vector>
 
+#include "base/angle.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "net/measures.h"
@@ -15,6 +16,7 @@
 #include "solve/parts/option_names.h"
 #include "solve/parts/rest_descent.h"
 #include "solve/parts/rest_energy.h"
+#include "solve/parts/rest_shape.h"
 
 namespace chebnet {
 
@@ -23,22 +25,22 @@ namespace {
 // Tries of a step of the walk, at once or in shorter ones.
 constexpr int k_most_trials = 8;
 // The limit aims a little higher than it has to be, so that it is met in spite of its tolerance.
-constexpr double k_limit_margin = 0.02;  // degrees
-// After so many the rest shape is taken as far as it has come.
-constexpr int k_most_steps_of_opening = 100;
+constexpr double k_limit_margin = 0.02 * k_degree;
+// In edge lengths: farther away lengths have too few digits for a net to be at rest.
+constexpr double k_farthest = 1e6;
+// A net with less energy than this lies as its rest shape does.
+constexpr double k_no_energy = 1e-6;
 // The most dL of a net that stands as it is held.
 constexpr double k_held_deviation = 1e-12;
 
+constexpr Heeds k_equilibrium_heeds{.pulls = true, .slides = true, .only_nets = true};
+
 class Equilibrium : public Method {
 public:
-    /// What costs no energy: the net's rest shape, or that once it is a net within the limit.
-    enum class RestShape { as_it_is, opened };
-
-    explicit Equilibrium(RestShape rest_shape) : m_opens(rest_shape == RestShape::opened) {}
+    /// `opener`: of the rest shape, which costs no energy; null: it costs none as it is.
+    explicit Equilibrium(MakeMethod opener) : m_rest_shape(opener) {}
     void prepare(const Problem& problem) override;
-    bool knows_pulls() const override { return true; }
-    bool goes_from_net_to_net() const override { return true; }
-    bool knows_slides() const override { return true; }
+    Heeds heeds() const override { return k_equilibrium_heeds; }
     Status start(const Problem& problem, Positions& positions, const Options& options) override;
     Status iterate(Positions& positions, TraceRow& row) override;
     std::optional<RestState> rest_state() const override;
@@ -47,12 +49,12 @@ private:
     enum Stage { net = 1, follow = 2, rest = 3, open = 4 };
 
     Method& projection();
+    void find_loose_pieces();
     Problem problem() const { return {*m_net, *m_topology, m_walk.held().vertices(), m_pulls, m_reachable}; }
     void take_pulls(std::span<const Pull> pulls);
     bool take_guide(const Problem& problem, const Options& options);
     CornerLimit limit() const;
-    void forget_rest_shape();
-    bool begin_opening();
+    void begin_opening(Positions& positions);
     Status open_rest_shape(Positions& positions, TraceRow& row);
     Status begin(Positions& positions, bool same_energy);
     bool is_held_as_net() const;
@@ -60,6 +62,8 @@ private:
     std::vector<bool> weightless() const;
     bool prepare_energy(const Positions& positions, bool same_energy);
     void begin_as_net(const Positions& positions);
+    bool has_come_home(const Positions& positions);
+    void note_home();
     void begin_walk_home();
     Stage first_stage(const Positions& positions);
     bool was_left(const Positions& before, const Positions& positions) const;
@@ -72,6 +76,7 @@ private:
     Status find_another_net(Positions& positions);
     bool begin_at_rest_shape(double nearer_than);
     void enter_rest(const Positions& positions);
+    void follow_lone_pulls(Positions& positions);
     Status relax(Positions& positions, TraceRow& row);
 
     const Net* m_net = nullptr;
@@ -79,13 +84,11 @@ private:
     std::vector<bool> m_is_free;
     std::vector<Slide> m_slides;
     std::vector<Pull> m_pulls;
+    std::vector<std::vector<int>> m_loose_pieces;       // of the net, in which nothing is held
     bool m_pulls_changed = true, m_pulls_moved = true;  // in number, place or weight; in their targets
     std::shared_ptr<const Guide> m_guide;
     double m_unit = 1;  // in that of the guide and of the options' lengths
-    const bool m_opens;
-    std::unique_ptr<Equilibrium> m_opening;  // while it is under way
-    int m_opening_steps = 0;
-    Positions m_rest_shape;  // empty: not known
+    RestShape m_rest_shape;
     std::unique_ptr<FreePart> m_part;
     std::unique_ptr<Method> m_projection;
     RestDescent m_descent;
@@ -93,7 +96,10 @@ private:
 
     Options m_options;
     bool m_reachable = true, m_only_nets = false, m_only_walks = false;
-    Positions m_last_net;  // of the problem, which need not last as long as a solve; empty: not known
+    bool m_goes_home = false;     // though it is a net where it was left
+    bool m_rests_at_home = true;  // where a hand last took the net with all handles at home: whether in its rest shape
+    Positions m_asked;            // where the solve began, while the rest shape is being opened
+    Positions m_last_net;         // of the problem, which need not last as long as a solve; empty: not known
     Stage m_stage = net;
     Positions m_result;           // where the method last left the net; empty: nowhere
     bool m_began_as_net = false;  // this solve, or the walk home, which walk to another one all the same
@@ -108,7 +114,8 @@ void Equilibrium::prepare(const Problem& problem) {
     if (m_net != &of) {
         m_descent.set_net(of, problem.topology);
         m_result.resize(3, 0);
-        forget_rest_shape();
+        m_rests_at_home = true;
+        m_rest_shape.forget();
     }
     m_net = &of;
     m_topology = &problem.topology;
@@ -118,8 +125,19 @@ void Equilibrium::prepare(const Problem& problem) {
     m_walk.set_handles(HeldVertices(of.vertex_count(), problem.fixed, problem.slides), problem.topology);
     m_walk.forget_moves(of.vertex_count());
     m_part = std::make_unique<FreePart>(of, m_is_free);
+    find_loose_pieces();
     m_projection.reset();
     m_descent.forget_handles();
+}
+
+void Equilibrium::find_loose_pieces() {
+    std::vector<bool> has_hold(m_is_free.size());
+    for (std::size_t v = 0; v < has_hold.size(); ++v) has_hold[v] = !m_is_free[v];
+    for (const Slide& slide : m_slides) has_hold[slide.vertex] = true;
+    const std::vector<bool> is_loose = m_topology->in_pieces_without(has_hold);
+    m_loose_pieces.clear();
+    for (std::vector<int>& piece : m_topology->components())
+        if (is_loose[piece.front()]) m_loose_pieces.push_back(std::move(piece));
 }
 
 /// Made when first asked for: most edits do without. It keeps what slides where it stands.
@@ -160,61 +178,49 @@ Status Equilibrium::start(const Problem& problem, Positions& positions, const Op
     const bool same_energy = same_guide && same_rest_shape && !m_pulls_changed && m_descent.has_energy_of(options);
     if (!same_energy)
         m_descent.forget_energy();  // also where handles out of reach keep this solve from choosing another
-    if (!same_rest_shape) forget_rest_shape();
+    if (!same_rest_shape) m_rest_shape.forget();
     m_options = options;
     m_descent.set_options(options);
+    const bool is_taken = !m_only_nets && problem.only_nets, is_let_go = m_only_nets && !problem.only_nets;
     m_reachable = problem.reachable;
     m_only_nets = problem.only_nets;
     m_only_walks = problem.only_walks;
     m_last_net = problem.last_net != nullptr ? *problem.last_net : Positions();
     m_max_deviation = max_deviation(*m_net, positions);
-    const bool is_where_left = m_result.cols() > 0 && m_result == positions;
-    if (m_reachable && same_energy && !m_pulls_moved && is_where_left && m_max_deviation < options.threshold &&
-        m_descent.is_at_rest())
+    const bool is_net_as_left =
+        m_reachable && m_result.cols() > 0 && m_result == positions && m_max_deviation < options.threshold;
+    if (is_taken && same_energy) note_home();
+    m_goes_home = is_let_go && is_net_as_left && same_energy && m_rests_at_home && m_descent.energy() > k_no_energy &&
+                  has_come_home(positions);
+    if (is_net_as_left && same_energy && !m_pulls_moved && !m_goes_home && m_descent.is_at_rest())
         return Status::converged;
-    if (m_reachable && (m_opening || (m_rest_shape.cols() == 0 && begin_opening()))) {
-        m_stage = open;
+    if (m_reachable && !m_rest_shape.is_known()) m_rest_shape.begin(*m_net, *m_topology, m_options, limit());
+    if (m_reachable && m_rest_shape.is_opening()) {
+        begin_opening(positions);
         return Status::running;
     }
     return begin(positions, same_energy);
 }
 
-void Equilibrium::forget_rest_shape() {
-    m_rest_shape.resize(3, 0);
-    m_opening.reset();
+/// Meanwhile a hand has the last net, and what it asks for waits.
+void Equilibrium::begin_opening(Positions& positions) {
+    m_stage = open;
+    m_asked = positions;
+    if (m_only_nets && m_last_net.cols() > 0 && max_deviation(*m_net, m_last_net) < m_options.threshold)
+        positions = m_last_net;
 }
 
-CornerLimit Equilibrium::limit() const {
-    if (m_options.shear_limit == 0) return CornerLimit();
-    return CornerLimit(*m_net, (m_options.shear_limit + k_limit_margin) * std::numbers::pi / 180);
-}
+CornerLimit Equilibrium::limit() const { return corner_limit(*m_net, m_options, k_limit_margin); }
 
-/// False if the rest shape is a net within the limit, or shall stay as it is.
-bool Equilibrium::begin_opening() {
-    m_rest_shape = m_net->rest_positions();
-    if (!m_opens || (max_deviation(*m_net, m_rest_shape) < m_options.threshold &&
-                     limit().largest_lack(m_rest_shape) <= CornerLimit::k_tolerance))
-        return false;
-    auto opening = std::make_unique<Equilibrium>(RestShape::as_it_is);
-    opening->prepare({*m_net, *m_topology, {}});
-    Options options;
-    options.threshold = m_options.threshold;
-    options.shear_limit = m_options.shear_limit;
-    if (opening->start({*m_net, *m_topology, {}}, m_rest_shape, options) != Status::running) return false;
-    m_opening = std::move(opening);
-    m_opening_steps = 0;
-    return true;
-}
-
-/// One step of it. Where no such net is found, the rest shape is what it was.
 Status Equilibrium::open_rest_shape(Positions& positions, TraceRow& row) {
-    const Status status = m_opening->iterate(m_rest_shape, row);
+    m_rest_shape.open(row);
     row.stage = open;
-    row.max_deviation = m_max_deviation;
-    if (status == Status::running && ++m_opening_steps < k_most_steps_of_opening) return Status::running;
-    if (!(max_deviation(*m_net, m_rest_shape) < m_options.threshold)) m_rest_shape = m_net->rest_positions();
-    m_opening.reset();
-    return begin(positions, false);
+    row.max_deviation = max_deviation(*m_net, positions);
+    if (m_rest_shape.is_opening()) return Status::running;
+    const Status status = begin(m_asked, false);
+    const bool has_to_walk = status == Status::running && m_stage == follow && m_only_nets;
+    if (!has_to_walk) positions = m_asked;
+    return status;
 }
 
 Status Equilibrium::begin(Positions& positions, bool same_energy) {
@@ -222,7 +228,7 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
     m_was_placed = false;
     m_stuck_at.resize(3, 0);
     const bool can_rest = m_reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
-    m_stage = can_rest ? first_stage(positions) : net;
+    m_stage = !can_rest ? net : m_goes_home ? follow : first_stage(positions);
     if (m_stage == net && m_reachable && is_held_as_net()) return without_rest(positions);
     if (m_stage == net && m_only_nets) return Status::unreachable;
     if (m_stage == net) {
@@ -240,7 +246,11 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
     }
     if (m_stage != rest) return Status::running;
     enter_rest(positions);
-    if (!m_descent.is_at_rest()) return Status::running;
+    if (!m_descent.is_at_rest()) {
+        follow_lone_pulls(positions);
+        m_result = positions;
+        return Status::running;
+    }
     m_result = positions;
     return Status::converged;
 }
@@ -254,13 +264,27 @@ bool Equilibrium::is_held_as_net() const {
 /// Of a net where the systems for rest are too large, or nothing may move.
 Status Equilibrium::without_rest(const Positions& positions) const {
     if (m_part->size() > 0) return Status::exact;
-    return limit().largest_lack(positions) <= 2 * CornerLimit::k_tolerance ? Status::converged : Status::stalled;
+    return limit().is_kept(positions) ? Status::converged : Status::stalled;
 }
 
 /// These stay until a walk has come to another net.
 void Equilibrium::begin_as_net(const Positions& positions) {
     m_began_as_net = true;
     m_begun = positions;
+}
+
+/// Whether handles are where the rest shape has them and is the answer.
+bool Equilibrium::has_come_home(const Positions& positions) {
+    if (!RestEnergy::is_least_at_rest_shape(m_options, m_pulls, m_guide.get())) return false;
+    if (!m_rest_shape.is_known() || m_rest_shape.is_opening()) return false;
+    m_walk.begin(positions, positions, m_net->mean_length());
+    return m_walk.ends_as_in(m_net->rest_positions(), positions);
+}
+
+/// Before a hand leads the net away. What it finds at home it is to leave there: the rest shape, but no other shape
+/// that somebody has pushed the net into.
+void Equilibrium::note_home() {
+    if (m_result.cols() > 0 && has_come_home(m_result)) m_rests_at_home = m_descent.energy() <= k_no_energy;
 }
 
 /// Where handles are at home, or jump to where the rest shape is nearer than the last net, the walk begins at the rest
@@ -275,8 +299,8 @@ void Equilibrium::begin_walk_home() {
 
 /// V, what lies in pieces of the net that nothing keeps from falling for ever: at its height, or drawn towards a place.
 std::vector<bool> Equilibrium::weightless() const {
-    const bool is_drawn = m_guide && m_options.guide_mode != static_cast<int>(GuideMode::off) &&
-                          m_options.guide_mode != static_cast<int>(GuideMode::outside);
+    const bool is_drawn =
+        m_guide && m_options.guide_mode != GuideMode::off && m_options.guide_mode != GuideMode::outside;
     if (m_options.gravity == 0 || is_drawn) return {};
     std::vector<bool> carries(m_is_free.size());
     for (std::size_t v = 0; v < carries.size(); ++v) carries[v] = !m_is_free[v];
@@ -289,7 +313,8 @@ std::vector<bool> Equilibrium::weightless() const {
 bool Equilibrium::prepare_energy(const Positions& positions, bool same_energy) {
     try {
         if (!same_energy) {
-            m_descent.choose_energy(m_rest_shape, m_options, m_pulls, m_guide.get(), m_unit, weightless(), limit());
+            m_descent.choose_energy(m_rest_shape.positions(), m_options, m_pulls, m_guide.get(), m_unit, weightless(),
+                                    limit());
             m_pulls_changed = false;
         }
         m_descent.prepare(*m_part, m_is_free, m_slides, m_pulls, positions);
@@ -304,10 +329,10 @@ Equilibrium::Stage Equilibrium::first_stage(const Positions& positions) {
     const bool is_net = m_max_deviation < m_options.threshold;
     // A handle that has moved by ever so little has left the net less exact than rest needs it.
     if (was_left(m_result, positions)) return is_net && m_result == positions ? rest : follow;
-    const bool has_opened = m_rest_shape != m_net->rest_positions();
+    const bool has_opened = m_rest_shape.positions() != m_net->rest_positions();
     if (was_left(m_net->rest_positions(), positions) && (has_opened || !is_net) &&
-        max_deviation(*m_net, m_rest_shape) < m_options.threshold) {
-        m_result = m_rest_shape;
+        max_deviation(*m_net, m_rest_shape.positions()) < m_options.threshold) {
+        m_result = m_rest_shape.positions();
         return follow;
     }
     if (m_last_net.cols() > 0 && m_last_net != positions && was_left(m_last_net, positions) &&
@@ -461,8 +486,8 @@ Status Equilibrium::find_another_net(Positions& positions) {
 /// Walks from the rest shape in place of the last net. False if it has done so in this solve, or the rest shape is no
 /// net, or handles would have as far to go as this, in edge lengths.
 bool Equilibrium::begin_at_rest_shape(double nearer_than) {
-    if (m_was_placed || !(max_deviation(*m_net, m_rest_shape) < m_options.threshold)) return false;
-    const Positions start = m_walk.placed(m_rest_shape, m_result);
+    if (m_was_placed || !(max_deviation(*m_net, m_rest_shape.positions()) < m_options.threshold)) return false;
+    const Positions start = m_walk.placed(m_rest_shape.positions(), m_result);
     if (!(m_walk.way_left(start) < nearer_than)) return false;
     m_was_placed = true;
     // As if nothing had been before, so that the end does not depend on it.
@@ -483,6 +508,31 @@ void Equilibrium::enter_rest(const Positions& positions) {
     m_max_deviation = m_descent.deviation();
 }
 
+/// Pieces that hang on one soft handle alone go along with it as they are, where that is less energy for all of them
+/// together: step by step they would be drawn there like a load by a stiff spring.
+void Equilibrium::follow_lone_pulls(Positions& positions) {
+    if (m_loose_pieces.empty() || m_pulls.empty()) return;
+    std::vector<const Pull*> pull_at(m_is_free.size());
+    for (const Pull& pull : m_pulls) pull_at[pull.vertex] = &pull;
+    Positions moved = positions;
+    for (const std::vector<int>& piece : m_loose_pieces) {
+        const auto is_pulled = [&](int v) { return pull_at[v] != nullptr; };
+        if (std::count_if(piece.begin(), piece.end(), is_pulled) != 1) continue;
+        const Pull& pull = *pull_at[*std::find_if(piece.begin(), piece.end(), is_pulled)];
+        const Eigen::Vector3d shift = pull.target - positions.col(pull.vertex);
+        const bool is_of_hand = std::isfinite(pull.yields), is_far = shift.norm() > k_farthest * m_net->mean_length();
+        if (is_of_hand || is_far) continue;
+        for (int v : piece) moved.col(v) += shift;
+    }
+    if (moved == positions) return;
+    const double energy = m_descent.energy();
+    enter_rest(moved);
+    if (m_max_deviation < m_options.threshold && m_descent.energy() < energy)
+        positions = moved;
+    else
+        enter_rest(positions);
+}
+
 Status Equilibrium::relax(Positions& positions, TraceRow& row) {
     const Status status = m_descent.relax(positions, row);
     m_max_deviation = m_descent.deviation();
@@ -494,7 +544,9 @@ std::optional<RestState> Equilibrium::rest_state() const {
     return has_net ? m_descent.state(m_result, m_pulls) : std::nullopt;
 }
 
-std::unique_ptr<Method> make_equilibrium() { return std::make_unique<Equilibrium>(Equilibrium::RestShape::opened); }
+std::unique_ptr<Method> make_opener() { return std::make_unique<Equilibrium>(nullptr); }
+
+std::unique_ptr<Method> make_equilibrium() { return std::make_unique<Equilibrium>(make_opener); }
 
 constexpr std::array k_equilibrium_stages{"Finding a net", "To the handles", "To rest", "Opening corners"};
 // The tolerances where a net is found by `projection`.
@@ -519,7 +571,7 @@ constexpr auto k_equilibrium_options =
 ///      (TurnedHandles), free vertices go on as in the step before, as far as the handles do, and follow the rest of
 ///      the handles' way as smoothly as the energy's bound allows; they are projected onto the lengths, and make one
 ///      step of stage 3. So a jump ends where a drag does. Where the way leads no farther, and where it is shorter for
-///      handles that jump, it begins at the rest shape;
+///      handles that jump, it begins at the rest shape; so it does once a hand has let go of handles that are home;
 ///   3  Newton steps for the energy among nets with these lengths and no sharper corners, until the gradient that the
 ///      constraints leave is below Options::rest_tolerance (RestDescent). A flat net that would lose energy by bending
 ///      out of its plane, towards which nothing pushes it to first order, is not at rest: it leaves the plane.
@@ -541,6 +593,6 @@ constinit const MethodInfo k_equilibrium = {
     k_equilibrium_stages,
     k_equilibrium_options,
     in_this_build(make_equilibrium),
-    true};
+    k_equilibrium_heeds};
 
 }  // namespace chebnet

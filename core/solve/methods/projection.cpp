@@ -41,11 +41,12 @@ constexpr int k_patience = 2;
 
 constexpr double k_unknown = std::numeric_limits<double>::infinity();
 
+constexpr Heeds k_projection_heeds{.pulls = true, .slides = true};
+
 class Projection : public Method {
 public:
     void prepare(const Problem& problem) override;
-    bool knows_pulls() const override { return true; }
-    bool knows_slides() const override { return true; }
+    Heeds heeds() const override { return k_projection_heeds; }
     Status start(const Problem& problem, Positions& positions, const Options& options) override;
     Status iterate(Positions& positions, TraceRow& row) override;
 
@@ -333,10 +334,6 @@ void Projection::give_up_projecting(Positions& positions) {
     enter(m_springs_left > 0 ? springs : newton, positions);
 }
 
-}  // namespace
-
-namespace {
-
 std::unique_ptr<Method> make_projection() { return std::make_unique<Projection>(); }
 
 constexpr std::array k_projection_stages{"Rigid start", "Springs", "Exact lengths", "Newton steps"};
@@ -373,6 +370,6 @@ constinit const MethodInfo k_projection = {
     k_projection_stages,
     k_tolerances,
     in_this_build(make_projection),
-    true};
+    k_projection_heeds};
 
 }  // namespace chebnet

@@ -159,4 +159,11 @@ double CornerLimit::largest_lack(const Positions& positions) const {
     return largest;
 }
 
+bool CornerLimit::is_kept(const Positions& positions) const { return largest_lack(positions) <= k_kept; }
+
+CornerLimit corner_limit(const Net& net, const Options& options, double margin) {
+    if (options.shear_limit == 0) return CornerLimit();
+    return CornerLimit(net, options.shear_limit + margin);
+}
+
 }  // namespace chebnet

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "net/net.h"
+#include "solve/options.h"
 #include "solve/parts/length_system.h"
 #include "solve/terms/distance_constraint.h"
 
@@ -56,9 +57,13 @@ public:
 
     /// By how much a diagonal is too short at most, in edge lengths; 0 if none is.
     double largest_lack(const Positions& positions) const;
+    /// Whether positions that were solved for keep the limit, that is whether none lacks more than k_kept.
+    bool is_kept(const Positions& positions) const;
 
-    /// A lack up to this, in edge lengths, is none.
+    /// A lack up to this, in edge lengths, is none to the active set.
     static constexpr double k_tolerance = 1e-4;
+    /// What it lets pass, and as much again, which the projection onto the lengths may take off afterwards.
+    static constexpr double k_kept = 2 * k_tolerance;
 
 private:
     double lack(const Positions& positions, const Distance& limit) const;
@@ -70,5 +75,8 @@ private:
     std::vector<bool> m_is_watched;
     std::vector<double> m_held;
 };
+
+/// That of Options::shear_limit, wider by `margin`, radians; none where that is 0.
+CornerLimit corner_limit(const Net& net, const Options& options, double margin = 0);
 
 }  // namespace chebnet

@@ -6,8 +6,6 @@ namespace chebnet {
 
 namespace {
 
-// Heavier pulls stand as good as still, and single precision has room for them.
-constexpr double k_most_weight = 1e6;
 // Lighter pulls do not keep a piece of the net in place as far as single precision can tell. Then all of the piece
 // resists its moves as much, which spoils no symmetry, and takes several calls of fit().
 constexpr double k_least_piece_weight = 1e-2;
@@ -24,7 +22,7 @@ LaplacianPart::LaplacianPart(const Net& net, const std::vector<bool>& is_free)
 }
 
 void LaplacianPart::set_pulls(std::span<const Pull> pulls) {
-    const auto scaled = [&](const Pull& pull) { return m_scale * std::min(pull.weight, k_most_weight); };
+    const auto scaled = [&](const Pull& pull) { return m_scale * std::min(pull.weight, k_most_pull); };
     const bool same =
         std::equal(m_pulls.begin(), m_pulls.end(), pulls.begin(), pulls.end(),
                    [&](auto& now, auto& next) { return now.vertex == next.vertex && now.weight == scaled(next); });

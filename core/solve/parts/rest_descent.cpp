@@ -363,7 +363,7 @@ void RestDescent::refine_lengths(Positions& positions) {
         Positions x = positions;
         project(x, k_end_deviation);
         const double deviation = max_deviation(*m_net, x);
-        if (!(deviation < m_max_deviation) || m_constraints->lack(x) > 2 * CornerLimit::k_tolerance) break;
+        if (!(deviation < m_max_deviation) || m_constraints->lack(x) > CornerLimit::k_kept) break;
         positions = x;
         m_max_deviation = deviation;
     }
@@ -382,9 +382,7 @@ bool RestDescent::is_balanced() const {
 }
 
 /// With exact lengths, and no corner beyond the limit.
-bool RestDescent::is_net() const {
-    return m_max_deviation < m_options.threshold && m_lack <= 2 * CornerLimit::k_tolerance;
-}
+bool RestDescent::is_net() const { return m_max_deviation < m_options.threshold && m_lack <= CornerLimit::k_kept; }
 
 /// The end of a way to rest that leads no farther.
 Status RestDescent::stuck() const { return is_net() ? Status::exact : Status::stalled; }

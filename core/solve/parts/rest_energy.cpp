@@ -1,9 +1,9 @@
 #include "solve/parts/rest_energy.h"
 
 #include <algorithm>
-#include <numbers>
 #include <tuple>
 
+#include "base/angle.h"
 #include "net/families.h"
 #include "solve/terms/bending_term.h"
 #include "solve/terms/closeness_term.h"
@@ -16,11 +16,13 @@ namespace chebnet {
 namespace {
 
 // Shear is reckoned from no corner sharper than this, even without a limit.
-constexpr double k_least_open_angle = 15;  // degrees
+constexpr double k_least_open_angle = 15 * k_degree;
 // A guide that holds, or keeps out, weighs so many times as much as one that draws.
 constexpr double k_hold = 100;
 
-bool is_guided(const Options& options, const Guide* guide) { return guide != nullptr && options.guide_mode != 0; }
+bool is_guided(const Options& options, const Guide* guide) {
+    return guide != nullptr && options.guide_mode != GuideMode::off;
+}
 
 BendingTerm::Reference bending_reference(const Options& options) {
     if (options.rod_curvature != 0) return BendingTerm::Reference::curved;
@@ -41,7 +43,7 @@ std::vector<double> stiffness_of_edges(const Net& net, const Options& options) {
 }
 
 std::unique_ptr<Term> closeness(const Net& net, const Guide& guide, double unit, const Options& options) {
-    const auto mode = static_cast<GuideMode>(options.guide_mode);
+    const GuideMode mode = options.guide_mode;
     const double shared = mode == GuideMode::outside ? 1 : k_guided_vertices / net.vertex_count();
     const double weight = (mode == GuideMode::near ? 1 : k_hold) * shared * options.guide_weight;
     const auto side = mode == GuideMode::outside ? ClosenessTerm::Side::below : ClosenessTerm::Side::both;
@@ -67,7 +69,7 @@ bool RestEnergy::is_least_at_rest_shape(const Options& options, std::span<const 
 void RestEnergy::choose(const Net& net, const Topology& topology, const Positions& rest_shape, const Options& options,
                         std::span<const Pull> pulls, const Guide* guide, double unit,
                         const std::vector<bool>& weightless) {
-    const double open_angle = std::max(options.shear_limit, k_least_open_angle) * std::numbers::pi / 180;
+    const double open_angle = std::max(options.shear_limit, k_least_open_angle);
     m_terms.clear();
     m_terms.push_back(std::make_unique<BendingTerm>(net, topology, rest_shape, options.bending_weight,
                                                     bending_reference(options), stiffness_of_edges(net, options),

@@ -56,7 +56,8 @@ Status StagedDescent::iterate(Positions& positions, TraceRow& row) {
 
     if (m_max_deviation < m_options.threshold) return Status::converged;
     if (!std::isfinite(row.gradient_norm)) return Status::non_finite;
-    if (!moved || has_settled(m_options, m_reachable, energy_before, m_total_energy, row.gradient_norm))
+    const double gradient_norm = row.gradient_norm / m_energy->relative_slope(m_options.threshold);
+    if (!moved || has_settled(m_options, m_reachable, energy_before, m_total_energy, gradient_norm))
         return at_minimum();
     const bool is_slow = m_max_deviation > k_reduced_progress * deviation_before;
     if (m_stage == 3 && is_slow && !m_options.reduce_once) free_all_vertices();

@@ -19,9 +19,11 @@ namespace chebnet {
 ///   3  exponent p_end, only the vertices of edges with dL > active_fraction · threshold and their rings free.
 ///
 /// A solve ends when max dL < threshold, or when the energy's relative change or the gradient falls below its
-/// tolerance. Where the paper is silent: a minimum in stage 1 goes on to stage 2, since a larger exponent evens out
-/// what is left. Where this departs from it unless the option reduce_once is on: stage 3 chooses its vertices anew each
-/// iteration, and a minimum there that is none of the whole net's frees all vertices again for the rest of the solve.
+/// tolerance; that of energies which are flatter than quadratic at the solution is judged by what it is near the
+/// threshold, see EdgeEnergy::relative_slope(). Where the paper is silent: a minimum in stage 1 goes on to stage 2,
+/// since a larger exponent evens out what is left. Where this departs from it unless the option reduce_once is on:
+/// stage 3 chooses its vertices anew each iteration, and a minimum there that is none of the whole net's frees all
+/// vertices again for the rest of the solve.
 class StagedDescent : public Method {
 public:
     using MakeEnergy = std::unique_ptr<EdgeEnergy> (*)(double p, const Options& options);

@@ -2,7 +2,7 @@
 import fc from 'fast-check';
 import { deflateSync, strToU8 } from 'fflate';
 import { expect } from 'vitest';
-import { netAsText, writeState, writeView } from '../../../web/src/document/codec';
+import { netAsText, writeHandle, writeState, writeView } from '../../../web/src/document/codec';
 import type { ChebnetDocument } from '../../../web/src/document/document';
 import { Failure } from '../../../web/src/failure';
 import { decodeScene, encodeScene } from '../../../web/src/document/share';
@@ -61,15 +61,22 @@ const damaged = fc.tuple(document, fc.array(splice, { minLength: 1, maxLength: 4
   return characters.join('');
 });
 
+const handlesOf = ({ handles }: ChebnetDocument, rest: Float64Array | null) =>
+  handles.map((handle) => writeHandle(handle, rest));
+
 const withForgedHeader = fc.tuple(tag, document, changes, bytes).map(([tagged, given, list, packed]) => {
-  const header = { ...writeState(given, net.restPositions), net: netAsText(given.net), view: writeView(given.view) };
+  const header = {
+    ...writeState(given, handlesOf(given, net.restPositions)),
+    net: netAsText(given.net),
+    view: writeView(given.view),
+  };
   return forged(tagged, JSON.stringify(changed(header, list)), packed);
 });
 
 /** Bytes that are said to begin with a mesh. */
 const withForgedMesh = fc.tuple(tag, document, bytes, fc.nat(70)).map(([tagged, given, packed, length]) => {
   const net = { name: 'forged.obj', packed: length };
-  const header = { ...writeState(given, null), net, view: writeView(given.view) };
+  const header = { ...writeState(given, handlesOf(given, null)), net, view: writeView(given.view) };
   return forged(tagged, JSON.stringify(header), packed);
 });
 

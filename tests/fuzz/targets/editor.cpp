@@ -336,7 +336,7 @@ private:
         const OptionInfo& info = table[m_input.ConsumeIntegralInRange<std::size_t>(0, table.size() - 1)];
         double value = m_input.PickValueInArray({info.smallest, info.largest, 0.0});
         if (value == 0) value = fuzz::any_number(m_input);
-        if (std::string_view(info.kind) == "integer") value = std::round(value);
+        if (info.kind == OptionKind::integer) value = std::round(value);
         char text[64];
         std::snprintf(text, sizeof text, "%.17g", value);
         note(std::string(info.name) + " = " + text);

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "arbitrary.h"
 #include "require.h"
@@ -77,9 +78,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::optional<Net> net = any_net(input);
     if (!net) return 0;
     options.guide = any_guide(input, *net);
-    options.method = input.PickValueInArray({"", "", "equilibrium", "projection", "lbfgs"});
+    const std::string_view method = input.PickValueInArray({"", "", "equilibrium", "projection", "lbfgs"});
     if (input.ConsumeBool()) options.shear_limit = fuzz::any_number(input);
     try {
+        options.way = equalize_way_named(method);
         Equalizer equalizer(std::move(*net), options);
         EqualizeReport report;
         for (int calls = 0; report.status == Status::running && calls < 20; ++calls) {

@@ -11,10 +11,10 @@
 #include "arbitrary.h"
 #include "drape/bridged_drape.h"
 #include "drape/drape.h"
+#include "drape/surface_report.h"
 #include "remesh/remesh.h"
 #include "require.h"
 #include "soak/surface_invariants.h"
-#include "surface/curvature.h"
 #include "surface/guide.h"
 
 using namespace chebnet;

@@ -31,12 +31,12 @@ import type { Film, ViewEvents } from '../view/view';
 import { Client, isCancelled } from '../worker/client';
 import type { WorkerLike } from '../worker/client';
 import type { Opening } from '../worker/opening';
-import type { ExportFormat, FrameData, OpenedNet } from '../worker/protocol';
+import type { FrameData, OpenedNet } from '../worker/protocol';
 import { latestOnly } from './latest';
 import { Opener } from './opener';
 import { Presenter, type Screen } from './presenter';
 import { noNet, State } from './state';
-import { codeOf, Failure, messageOf } from '../failure';
+import { Failure, messageOf } from '../failure';
 
 /** What an app is made from. */
 export interface AppParts extends Screen {
@@ -174,8 +174,8 @@ export class App {
   /** Shows a failure to the user and to listeners. */
   report(error: unknown): void {
     if (isCancelled(error)) return;
-    // When a worker is lost everything that waits for it fails; that is said once, by #restarted.
-    const known = codeOf(error) === 'worker_lost' && this.opening !== null;
+    // When a worker is lost everything that waits for it fails; that is said once, by #restarted. Of other workers it is not.
+    const known = this.#client.isLoss(error) && this.opening !== null;
     if (!known) this.#presenter.panels.say(sentence(error), 'error');
     this.#emit('error', error);
   }
@@ -251,7 +251,7 @@ export class App {
   }
 
   /** The present net as the bytes of a file. */
-  exported(format: ExportFormat): Promise<Uint8Array<ArrayBuffer>> {
+  exported(format: string): Promise<Uint8Array<ArrayBuffer>> {
     return this.#client.exportFile(format);
   }
 
@@ -321,6 +321,8 @@ export class App {
     try {
       await asked;
     } catch (error) {
+      // A solver that replaces a lost one takes them from the document.
+      if (this.#client.returning) return;
       if (change) this.#state.history.takeBack(before);
       if (this.opening?.document.options === after.options) {
         const { method, initialisation, options } = before;

@@ -15,7 +15,7 @@ const NOTICE_MS = 250;
 type NetView = ViewPlace & Pick<ViewState, 'upAxis'>;
 
 /** Callbacks to the app. */
-export interface OpenerEvents {
+interface OpenerEvents {
   /** Before a net replaces the present one. */
   leaving(): void;
   opened(): void;
@@ -25,6 +25,11 @@ export interface OpenerEvents {
   /** Shows or hides the notice that a net is being opened, with or without a button to cancel. */
   notice(isShown: boolean, canCancel: boolean): void;
 }
+
+/** The part of the client that it uses. */
+export type OpenerClient = Pick<Client, 'open' | 'cancelOpening' | 'restore' | 'returning'>;
+
+type Restored = Parameters<Client['restore']>[0];
 
 /** A net that is being opened. */
 interface Request {
@@ -39,7 +44,7 @@ interface Arrival extends Request {
 }
 
 export class Opener {
-  readonly #client: Pick<Client, 'open' | 'cancelOpening' | 'restore'>;
+  readonly #client: OpenerClient;
   readonly #state: State;
   readonly #events: OpenerEvents;
   /** Of nets that have been left, here or by whoever made the project. */
@@ -47,8 +52,10 @@ export class Opener {
   readonly #underWay = new Set<Request>();
   /** Steps through the history that wait until a net is there. */
   #waiting: (() => void)[] = [];
+  /** A state to which the present net has gone back while another one was being opened: the solver is told of it if that fails. */
+  #untold: Restored | null = null;
 
-  constructor(client: Pick<Client, 'open' | 'cancelOpening' | 'restore'>, state: State, events: OpenerEvents) {
+  constructor(client: OpenerClient, state: State, events: OpenerEvents) {
     this.#client = client;
     this.#state = state;
     this.#events = events;
@@ -157,7 +164,18 @@ export class Opener {
     const state = hanging(snapshot, view.upAxis);
     this.#state.restore(state);
     const { net: _, ...rest } = state;
-    await this.#client.restore(rest);
+    // It would take it for the net that it is just opening.
+    if (this.isOpening) this.#untold = rest;
+    else await this.#client.restore(rest);
+  }
+
+  /** The present net stays. A solver that replaces a lost one has its state from the document. */
+  #tell(): void {
+    const untold = this.#untold;
+    if (untold === null || this.isOpening) return;
+    this.#untold = null;
+    // It was in this state before; if it is lost now, that is said by whoever replaces it.
+    if (!this.#client.returning) this.#client.restore(untold).catch(() => {});
   }
 
   /** How a net is to be seen after another: as it was left. One of which nothing is known, in a project of before, is taken to lie
@@ -175,6 +193,7 @@ export class Opener {
   }
 
   #take(arrival: Arrival): void {
+    this.#untold = null;
     const left = this.#state.opening?.document;
     if (left) {
       const { camera, behind, upAxis } = left.view;
@@ -198,6 +217,8 @@ export class Opener {
       return { ...request, opened };
     } catch (error) {
       this.#waiting = []; // there is nothing to go back from
+      this.#underWay.delete(request);
+      this.#tell();
       throw error;
     } finally {
       clearTimeout(notice);

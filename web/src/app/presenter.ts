@@ -17,7 +17,7 @@ export interface Screen {
 }
 
 /** The state that is presented. */
-export interface Presented {
+interface Presented {
   state: Pick<State, 'opening' | 'handles' | 'history' | 'withTraits'>;
   choice(): Choice;
   /** Whether the solver is at work. */
@@ -32,6 +32,8 @@ export class Presenter {
   readonly #beside: Beside;
   readonly #presented: Presented;
   #isScheduled = false;
+  /** Their pictures come first. */
+  #unsaid: FrameData[] = [];
   #shownGuide: GuideSource | undefined;
   /** Of corners, in the view's colours. */
   #shownLimit: number | undefined;
@@ -106,15 +108,18 @@ export class Presenter {
     this.setAppearance(document);
     this.view.setNet(net, frame, document.view);
     this.panels.setNet(net);
+    this.#unsaid = [];
     this.#presentNumbers(frame);
     this.schedule();
   }
 
-  /** The net has moved. The user's own is shown again. */
+  /** The net has moved. The user's own is shown again. While it goes on moving, its numbers follow the picture, or the next frame. */
   presentFrame(frame: FrameData): void {
     this.showRun(null);
     this.view.setFrame(frame);
-    this.#presentNumbers(frame);
+    this.#unsaid.push(frame);
+    if (this.#unsaid.length > 1 || !this.#presented.solving()) this.#presentUnsaid();
+    else requestAnimationFrame(() => setTimeout(() => this.#presentUnsaid()));
   }
 
   /** Handles only, and at once: they follow the pointer, or the net on which they slide. */
@@ -169,6 +174,10 @@ export class Presenter {
   }
 
   // ------------------------------------------------------------------------------------------------------------- numbers
+
+  #presentUnsaid(): void {
+    for (const frame of this.#unsaid.splice(0)) this.#presentNumbers(frame);
+  }
 
   #presentNumbers(frame: FrameData): void {
     this.panels.setFrame(frame, this.view.framesPerSecond(), this.#presented.solving());

@@ -10,7 +10,7 @@ import type { Opening } from '../worker/opening';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 
 /** Callbacks after a change. */
-export interface StateEvents {
+interface StateEvents {
   /** Anything in the document changed. */
   document(): void;
   /** There is something new to be presented, beyond what a frame or a drag changes. */

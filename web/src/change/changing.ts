@@ -5,7 +5,7 @@ import { words } from '../language/language';
 import type { ChangedNet, ChangeRequest, ChangeResponse } from './change_protocol';
 
 /** The part of a `Worker` that is used. */
-export interface ChangeWorkerLike {
+interface ChangeWorkerLike {
   postMessage(request: ChangeRequest): void;
   terminate(): void;
   onmessage: ((event: MessageEvent<ChangeResponse>) => void) | null;
@@ -29,7 +29,7 @@ export class Changing {
         else if (data.type === 'ended') reject(new Failure('not_exact', dialogWords.change.notExact));
         else reject(new Failure(data.code, words.core.failure(data.code, data.message)));
       };
-      worker.onerror = ({ message }) => reject(new Failure('worker_lost', message));
+      worker.onerror = ({ message }) => reject(new Failure('worker_lost', message || words.page.programMissing));
     }).finally(() => {
       worker.onmessage = null; // some may be on their way
       this.#worker.terminate();

@@ -1,20 +1,19 @@
 /** What of a net lies on the sides of a line. */
-import { edgeFinder } from '../net/families';
-import type { Faces } from '../net/fold';
+import { type Faces, facePairs } from '../net/fold';
 import { setsOf } from '../net/pieces';
 
 /** The parts of the net that meet at a line of edges once these are cut, each by its faces, the largest first; of equal ones
  *  that with the first face, as in core/change/delete_faces.cpp. Fewer than two: the line does not part the net. */
 export function sidesOf(net: Faces, line: readonly number[]): number[][] {
-  const facesOf = facesOfEdges(net);
+  const pairs = facePairs(net);
   const isCut = new Set(line);
-  const part = setsOf(net.faceStart.length - 1, (join) =>
-    facesOf.forEach((faces, edge) => {
-      if (!isCut.has(edge)) faces.forEach((face) => join(faces[0]!, face));
-    }),
-  );
+  const part = setsOf(net.faceStart.length - 1, (join) => {
+    for (let edge = 0; 2 * edge < pairs.length; edge++)
+      if (!isCut.has(edge) && pairs[2 * edge + 1]! >= 0) join(pairs[2 * edge]!, pairs[2 * edge + 1]!);
+  });
   const sides = new Map<number, number[]>();
-  for (const edge of line) for (const face of facesOf[edge]!) sides.set(part[face]!, []);
+  for (const edge of line)
+    for (const face of pairs.subarray(2 * edge, 2 * edge + 2)) if (face >= 0) sides.set(part[face]!, []);
   part.forEach((each, face) => sides.get(each)?.push(face));
   return [...sides.values()].sort((a, b) => b.length - a.length || a[0]! - b[0]!);
 }
@@ -26,14 +25,4 @@ export function stayingWithout({ faceStart, faceVertices }: Faces, faces: readon
   for (let face = 0; face + 1 < faceStart.length; face++)
     if (!goes.has(face)) for (const v of faceVertices.subarray(faceStart[face], faceStart[face + 1])) stays[v] = 1;
   return stays;
-}
-
-function facesOfEdges({ edges, faceStart, faceVertices }: Faces): number[][] {
-  const edgeBetween = edgeFinder(edges);
-  const faces: number[][] = Array.from({ length: edges.length / 2 }, () => []);
-  for (let face = 0; face + 1 < faceStart.length; face++) {
-    const corners = faceVertices.subarray(faceStart[face], faceStart[face + 1]);
-    corners.forEach((vertex, k) => faces[edgeBetween(corners.at(k - 1)!, vertex)]!.push(face));
-  }
-  return faces;
 }

@@ -28,7 +28,7 @@ export interface RunPlan {
 }
 
 /** `ended`: the solver came to an end of its own, good or bad; `frame.status` says which. */
-export type RunState = 'waiting' | 'running' | 'ended' | 'failed' | 'cancelled';
+type RunState = 'waiting' | 'running' | 'ended' | 'failed' | 'cancelled';
 
 export interface Run extends RunPlan {
   state: RunState;

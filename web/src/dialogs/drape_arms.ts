@@ -10,7 +10,7 @@ const TEXT = dialogWords.drape.arms;
 /** The usual one first. */
 const ARMS = ['geodesic', 'least_shear', 'curve'] as const;
 
-export interface ArmsEvents {
+interface ArmsEvents {
   /** Whether points are being set in the picture. */
   drawingChanged(drawing: boolean): void;
   /** What is to be drawn: the curve as far as it is known, and its points until it is ended. */

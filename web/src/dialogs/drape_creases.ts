@@ -11,7 +11,7 @@ const TEXT = dialogWords.drape.markedCreases;
 /** Points of a closed curve. */
 const LEAST_CLOSED = 3;
 
-export interface CreaseEvents {
+interface CreaseEvents {
   /** Whether points are being set in the picture. */
   drawingChanged(drawing: boolean): void;
   /** What is to be drawn: all creases, and the points of the one that is not ended. */

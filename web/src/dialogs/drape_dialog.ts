@@ -47,7 +47,7 @@ export interface GivenSurface {
   mesh: Mesh;
 }
 
-export interface DrapeDialogParts {
+interface DrapeDialogParts {
   /** The visitor wants to bring a surface in a file; without it there is no such button. */
   fileWanted?: () => void;
   spawnWorker(): DrapeWorkerLike;

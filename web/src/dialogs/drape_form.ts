@@ -32,7 +32,7 @@ const CREASES = [0, 30, 45, 60];
 /** How large bumps may be that make no singular vertices; 1 as usual. */
 const SMOOTHINGS = [0, 1, 3, 10, 30];
 
-export interface FormEvents {
+interface FormEvents {
   /** The name of one of our own, or null: the visitor's. */
   surfaceChosen(own: string | null): void;
   /** One piece from a seed, or a net over the whole surface. */

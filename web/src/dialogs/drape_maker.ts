@@ -7,7 +7,7 @@ import { dialogWords } from '../language/dialogs';
 
 const TEXT = dialogWords.drape;
 
-export interface MakerEvents {
+interface MakerEvents {
   begun(): void;
   stopped(): void;
 }

@@ -18,7 +18,7 @@ const USUAL_RADIUS = 3;
 /** What becomes of a click on the surface. */
 type Tool = 'none' | 'add' | 'forbid';
 
-export interface SingularEvents {
+interface SingularEvents {
   shown(marks: SingularMarks): void;
   /** Whether clicks on the surface set points. */
   pointingChanged(pointing: boolean): void;

@@ -28,7 +28,7 @@ const TEXT = dialogWords.equalize;
 /** Of all edges. */
 const MANY_FOLDS = 0.005;
 
-export interface EqualizeDialogParts {
+interface EqualizeDialogParts {
   spawnWorker(): EqualizeWorkerLike;
   createView(container: HTMLElement, events: ViewEvents): View;
   upAxis: ViewState['upAxis'];
@@ -96,6 +96,8 @@ export class EqualizeDialog implements EqualizerLike {
     this.#view = this.#openView(picture);
     this.result = this.#untilFinished();
     this.#forget();
+    // The dialog gave it to the slider between before and after, which is hidden now.
+    this.#start.focus();
   }
 
   close(): void {

@@ -57,7 +57,7 @@ export interface TakenNet {
   upAxis?: UpAxis;
 }
 
-export interface OpenerParts {
+interface OpenerParts {
   spawnWorker(): FileWorkerLike;
   createDialog(name: string): FileDialogLike;
   createEqualizer(subject: Subject, upAxis: UpAxis): EqualizerLike;

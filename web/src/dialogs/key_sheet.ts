@@ -2,7 +2,8 @@
 import type { KeyRow } from '../elements/keys';
 import { words } from '../language/language';
 import { panelWords } from '../language/panels';
-import { make, makeButton } from '../elements/dom';
+import { make, makeButton, makeSwitch } from '../elements/dom';
+import { areSingleKeysOn, setSingleKeys } from '../elements/single_keys';
 import './dialog.css';
 import './key_sheet.css';
 
@@ -15,10 +16,13 @@ export interface KeyTable {
 
 export function showKeySheet(root: HTMLElement, tables: readonly KeyTable[]): void {
   const close = makeButton(TEXT.close, () => dialog.close(), { class: 'primary' });
+  const single = makeSwitch(TEXT.single, setSingleKeys);
+  single.box.checked = areSingleKeysOn();
   const dialog = make(
     'dialog',
     { class: 'file keys', 'aria-labelledby': 'keys-title' },
     make('h2', { id: 'keys-title' }, words.keys.title),
+    single.row,
     // Arrow keys scroll what has the focus.
     make(
       'div',

@@ -29,7 +29,7 @@ import { FileOpener } from './file_opener';
 import type { TakenNet } from './file_opener';
 
 /** The part of the app that they use. */
-export interface OpenNet {
+interface OpenNet {
   readonly opening: Opening | null;
   /** The same, for another to be made of it; fails where none is open, or another one is about to be. */
   netToChange(): Opening;
@@ -77,7 +77,10 @@ export class Openers {
     const equalized = await this.#createEqualizer(subject, document.view.upAxis).result;
     if (equalized === null || !this.#isOpen(opening)) return;
     if (equalized === 'newNet') await this.#newNetOn(subject, document.view.upAxis);
-    else await this.#app.openScene(this.#fromSameSide(equalizedScene(document, equalized, formats)));
+    else {
+      const scene = this.#fromSameSide(equalizedScene(document, equalized, formats));
+      await this.#app.openScene(scene, { name: ['equalize'], key: null });
+    }
   }
 
   async #newNetOn({ name, net, positions }: Subject, upAxis: UpAxis | undefined): Promise<void> {
@@ -91,7 +94,7 @@ export class Openers {
   async drapeNet(): Promise<void> {
     let file: File | null = null;
     const draper = this.#createDraper(null, 'z', async () => {
-      file = await pickFile(this.#app.formats);
+      file = await pickFile(this.#app.formats, 'mesh');
       if (file !== null) draper.close();
     });
     const taken = await draper.result;

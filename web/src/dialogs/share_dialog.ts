@@ -67,7 +67,8 @@ export class ShareDialog {
         'div',
         { class: 'buttons' },
         this.#again,
-        makeButton(panelWords.share.close, () => this.#dialog.close()),
+        // It has the focus until there is a link: the code for a page would have it, still empty.
+        makeButton(panelWords.share.close, () => this.#dialog.close(), { autofocus: true }),
       ),
     );
     // The page's shortcuts are off while the dialog is open.

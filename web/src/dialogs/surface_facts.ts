@@ -7,13 +7,15 @@ import { lengthWords } from './file_words';
 
 /** In a sentence, before anything is tried. Of one that is to be covered as a whole there is nothing to say if it hangs together. */
 export function prospectWords(
-  { prospect, hardestCurvature, components }: SurfaceReport,
+  { prospect, triedCoverage, components, boundaryLoops, genus }: SurfaceReport,
   kind: 'piece' | 'whole' = 'piece',
 ): string {
   const words = dialogWords.drape;
   if (components > 1) return words.pieces[kind](components);
   if (kind === 'whole') return '';
-  return words.prospects[prospect]((hardestCurvature / Math.PI).toFixed(1));
+  const isRing = 2 * genus + boundaryLoops === 2;
+  const covered = `${(100 * triedCoverage).toFixed(0)}\u00a0%`;
+  return words.prospects[prospect === 'too_curved' && isRing ? 'ring' : prospect](covered);
 }
 
 export function makeSurfaceFacts(report: SurfaceReport): HTMLElement {

@@ -8,6 +8,7 @@ import { areEnds, FIELD_NAMES, type FieldName, fieldOf } from '../fields/fields'
 import { readCoreName } from './core_name';
 import { axesToSlide, ENDINGS, LONGEST_FILE_NAME, LONGEST_NAME } from './document';
 import type {
+  CameraPlace,
   FileText,
   HandleData,
   HandleSeed,
@@ -31,22 +32,23 @@ export type State<Handle> = Omit<Snapshot, 'net' | 'positions' | 'handles'> & { 
 
 // ------------------------------------------------------------------------------------------------------------- writing
 
-/** @param rest targets that are the rest positions need no place; null: all are written. */
+/** @param handles as they are written, see writeHandle(). */
 export function writeState(
-  { net, numbering, positions, handles, guide, ...settings }: Snapshot,
-  rest: Float64Array | null,
+  { net, numbering, positions, handles: _, guide, ...settings }: Snapshot,
+  handles: unknown[],
 ): object {
   return {
     ...settings,
     // A mesh is not for links; projects have it beside their states.
     ...(guide && 'own' in guide ? { guide } : {}),
     numbering: numbering ?? null,
-    handles: handles.map((handle) => writeHandle(handle, rest)),
+    handles,
   };
 }
 
-/** `[vertex, anchor]`, the target unless the handle is at rest, and what else is said of it, if anything. */
-function writeHandle({ vertex, anchor, target, ...more }: HandleData, rest: Float64Array | null): unknown[] {
+/** `[vertex, anchor]`, the target unless the handle is at rest, and what else is said of it, if anything.
+ *  @param rest targets that are the rest positions need no place; null: all are written. */
+export function writeHandle({ vertex, anchor, target, ...more }: HandleData, rest: Float64Array | null): unknown[] {
   const atRest = rest !== null && target.every((x, axis) => x === rest[3 * vertex + axis]);
   const said = given(more);
   return [vertex, anchor ? 1 : 0, ...(atRest ? [] : target), ...(Object.keys(said).length > 0 ? [said] : [])];
@@ -55,9 +57,23 @@ function writeHandle({ vertex, anchor, target, ...more }: HandleData, rest: Floa
 export function writeView(view: ViewState): object {
   return {
     ...view,
-    camera: view.camera && [...view.camera.position, ...view.camera.target].map((x) => Number(x.toPrecision(7))),
+    camera: view.camera && writeCamera(view.camera),
     aspect: view.camera?.aspect,
   };
+}
+
+/** Digits of a camera that stands no farther from the origin than from what it looks at. */
+const CAMERA_DIGITS = 7;
+/** All that numbers have. */
+const MOST_DIGITS = 17;
+
+/** Farther from the origin with more digits: what is seen is between the two points. */
+function writeCamera({ position, target }: CameraPlace): number[] {
+  const apart = Math.hypot(...position.map((x, axis) => x - target[axis]!));
+  const all = [...position, ...target];
+  const far = Math.max(...all.map(Math.abs)) / apart;
+  const digits = Math.min(MOST_DIGITS, CAMERA_DIGITS + Math.max(0, Math.floor(Math.log10(far))));
+  return all.map((x) => Number(x.toPrecision(digits)));
 }
 
 /** As links and files have a net. */
@@ -166,14 +182,9 @@ function readOptions(options: Untrusted): SolverOptions {
 }
 
 export function readView(view: Untrusted): Scene['view'] {
+  const camera = view.at('camera').value === null ? null : readCamera(view.at('camera'));
   return {
-    camera:
-      view.at('camera').value === null
-        ? null
-        : {
-            ...readCamera(view.at('camera')),
-            ...given({ aspect: view.at('aspect').maybe((each) => each.positive()) }),
-          },
+    camera: camera && { ...camera, ...given({ aspect: view.at('aspect').maybe((each) => each.positive()) }) },
     field: view.at('field').oneOf(FIELD_NAMES),
     colourMap: view.at('colourMap').oneOf(['paper', 'log']),
     showFaces: view.at('showFaces').flag(),
@@ -207,10 +218,11 @@ function readEnds(ends: Untrusted): ViewState['ends'] {
   return given(Object.fromEntries(names.map((name) => [name, read(name)])));
 }
 
-function readCamera(camera: Untrusted): NonNullable<ViewState['camera']> {
+/** Null, as if nobody had turned the view: of a net far from the origin, pages of before wrote one point twice. */
+function readCamera(camera: Untrusted): CameraPlace | null {
   const [x, y, z, u, v, w, ...more] = camera.list().map((each) => each.number());
   const complete =
     x !== undefined && y !== undefined && z !== undefined && u !== undefined && v !== undefined && w !== undefined;
-  if (!complete || more.length > 0 || (x === u && y === v && z === w)) camera.fail(readingWords.camera);
-  return { position: [x, y, z], target: [u, v, w] };
+  if (!complete || more.length > 0) camera.fail(readingWords.camera);
+  return x === u && y === v && z === w ? null : { position: [x, y, z], target: [u, v, w] };
 }

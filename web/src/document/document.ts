@@ -83,7 +83,7 @@ export interface Symmetry {
 }
 
 /** Positions as a link carries them (packing.ts); they become numbers beside the net they belong to. */
-export interface PackedPositions {
+interface PackedPositions {
   packed: Uint8Array;
 }
 
@@ -136,7 +136,7 @@ export interface ViewState extends Colouring, ViewPlace {
 }
 
 /** What a document says that was opened as an experiment. */
-export interface ExperimentPart {
+interface ExperimentPart {
   /** The name of a figure in experiments/figures.json, or of what showed it in older versions. */
   experiment?: string | undefined;
   /** Methods worth comparing on it. */

@@ -5,7 +5,7 @@
  */
 
 /** The part of an opened net that its numbering shows in. */
-export interface NumberedNet {
+interface NumberedNet {
   edges: Int32Array;
   faceStart: Int32Array;
   faceVertices: Int32Array;

@@ -1,12 +1,12 @@
 /**
  * Projects: a document with its history, exact to the last bit. As a record they are what the browser keeps; as text,
  * one JSON file, where positions are the base64 of their 64-bit floats and meshes OBJ. Nets and positions that states
- * share are written once.
+ * share are written once, in records handles, too; in a file each state has its own.
  */
 import { Failure } from '../failure';
 import { panelWords } from '../language/panels';
 import { fromBase64, toBase64 } from './base64';
-import { netAsText, readUpAxis, writeState, writeView } from './codec';
+import { netAsText, readUpAxis, writeHandle, writeState, writeView } from './codec';
 import {
   type GuideFile,
   type HandleData,
@@ -24,10 +24,12 @@ import type { Entry, Snapshot } from './undo';
 import { doSlide, readerOf, VERSION, VERSION_WITH_ARRAYS, VERSION_WITH_SLIDES } from './versions';
 import type { Reader } from './versions';
 
+export { writeView };
+
 export const PROJECT_ENDING = '.chebnet.json';
 /** Larger files are not read. */
 const LARGEST_PROJECT = 64e6;
-/** Bytes of nets and positions in a file; as base64 positions take a third more. */
+/** Bytes of nets, positions and handles in a file; as base64 positions take a third more. */
 const LARGEST_STATES = 36e6;
 const MOST_STATES = 10_000;
 
@@ -48,15 +50,18 @@ type ProjectRecord = { chebnet: number; positions: (Float64Array | string)[]; gu
 
 // ------------------------------------------------------------------------------------------------------------- writing
 
-/** @param largest bytes of nets and positions; of the history as much is written as fits, the document always. */
-export function writeProject(project: Project, largest: number): ProjectRecord {
-  const { entries, present } = cut(project, largest);
+/** @param largest bytes of nets, positions and handles; of the history as much is written as fits, the document always.
+ *  @param measure counts them. */
+export function writeProject(project: Project, largest: number, measure = new Measure()): ProjectRecord {
+  const { entries, present } = cut(project, largest, measure);
   const nets = new Numbered<NetSource>();
   const positions = new Numbered<Float64Array>();
   const guides = new Numbered<GuideFile>();
+  const rowOf = once((handle: HandleData) => writeHandle(handle, null));
+  const rowsOf = once((handles: readonly HandleData[]) => handles.map(rowOf));
   const states = entries.map(({ name, state, upAxis }) => ({
     ...writeName(name),
-    ...writeState(state, null),
+    ...writeState(state, rowsOf(state.handles)),
     ...given({ upAxis }),
     net: nets.numberOf(state.net),
     positions: state.positions && positions.numberOf(state.positions),
@@ -92,7 +97,7 @@ export function leastBytes({ entries, present }: Project): number {
 
 /** The text of a file. */
 export function projectText(project: Project): string {
-  const written = writeProject(withTexts(project), LARGEST_STATES);
+  const written = writeProject(withTexts(project), LARGEST_STATES, new Measure(false));
   const positions = written.positions.map((each) => (typeof each === 'string' ? each : toBase64(bytesOf(each))));
   return JSON.stringify({
     ...written,
@@ -128,8 +133,7 @@ function withTexts(project: Project): Project {
 }
 
 /** The entries around the present one that fit: first those before it, then those after it. */
-function cut({ entries, present }: Project, largest: number): { entries: Entry[]; present: number } {
-  const measure = new Measure();
+function cut({ entries, present }: Project, largest: number, measure: Measure): Pick<Project, 'entries' | 'present'> {
   const fits = (entry: Entry | undefined): boolean => {
     if (entry === undefined) return false;
     measure.add(entry.state);
@@ -140,6 +144,16 @@ function cut({ entries, present }: Project, largest: number): { entries: Entry[]
   while (fits(entries[first - 1])) first -= 1;
   while (fits(entries[last + 1])) last += 1;
   return { entries: entries.slice(first, last + 1), present: present - first };
+}
+
+/** Writes each thing once: what states share stays shared, and browsers copy it once. */
+function once<Thing, Written>(write: (thing: Thing) => Written): (thing: Thing) => Written {
+  const all = new Map<Thing, Written>();
+  return (thing) => {
+    const written = all.get(thing) ?? write(thing);
+    all.set(thing, written);
+    return written;
+  };
 }
 
 /** A list in which each value stands once. */
@@ -190,10 +204,11 @@ export function readProject(value: unknown): Project {
     .map((net) => reader.net(net));
   const positions = project.at('positions').list().map(readPositions);
   const guides = project.at('guides').maybe((list) => list.list().map(readGuide)) ?? [];
+  const shared = new SharedHandles();
   const states = project.at('states').list();
   if (states.length === 0 || states.length > MOST_STATES)
     project.at('states').fail(panelWords.project.states(MOST_STATES));
-  const entries = states.map((state) => readEntry(reader, state, nets, positions, guides));
+  const entries = states.map((state) => shared.in(readEntry(reader, state, nets, positions, guides), state));
   const title = project.at('title').maybe((each) => each.name(LONGEST_PROJECT_NAME));
   const present = project.at('present').index(entries.length);
   return { entries, present, view: reader.view(project.at('view')), ...(title && { title }) };
@@ -226,6 +241,31 @@ function readEntry(
     positions: place.value === null ? null : positions[place.index(positions.length)]!,
   };
   return { name: readName(field), state, ...given({ upAxis: field.at('upAxis').maybe(readUpAxis) }) };
+}
+
+/** States that had the same handles share them again: apart they would take so much more room that the history was forgotten. */
+class SharedHandles {
+  /** By what they were read from, which states share in records. */
+  readonly #read = new Map<unknown, HandleData[]>();
+  #last: HandleData[] = [];
+
+  in({ state, ...entry }: Entry, field: Untrusted): Entry {
+    const written = field.at('handles').value;
+    // In a file each state has rows of its own.
+    const handles = this.#read.get(written) ?? (areAlike(state.handles, this.#last) ? this.#last : state.handles);
+    this.#read.set(written, handles);
+    this.#last = handles;
+    return { ...entry, state: { ...state, handles } };
+  }
+}
+
+/** Whether these hold the same, to the last bit. */
+function areAlike(one: unknown, other: unknown): boolean {
+  if (Object.is(one, other)) return true;
+  if (typeof one !== 'object' || typeof other !== 'object' || one === null || other === null) return false;
+  const keys = Object.keys(one);
+  const alike = (key: string) => areAlike(one[key as keyof typeof one], other[key as keyof typeof other]);
+  return keys.length === Object.keys(other).length && keys.every(alike);
 }
 
 function withTarget({ target, ...handle }: HandleSeed, handles: Untrusted): HandleData {

@@ -7,7 +7,7 @@ import type { Mesh } from '../../../wasm/chebnet';
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 import { readingWords } from '../language/reading';
 import { fromBase64, toBase64 } from './base64';
-import { netAsText, readFileTraits, writeState, writeView } from './codec';
+import { netAsText, readFileTraits, writeHandle, writeState, writeView } from './codec';
 import type { ChebnetDocument, DocumentNet, NetSource, Scene } from './document';
 import { packMesh, unpackMesh } from './packed_mesh';
 import { packPositions } from './packing';
@@ -151,7 +151,8 @@ function toHash(
   settled: boolean,
   positions: Uint8Array,
 ): string {
-  const header = { ...writeState({ ...state, settled }, restPositions), net: head, view: writeView(view) };
+  const handles = state.handles.map((handle) => writeHandle(handle, restPositions));
+  const header = { ...writeState({ ...state, settled }, handles), net: head, view: writeView(view) };
   const json = strToU8(JSON.stringify(header));
   const content = new Uint8Array(4 + json.length + mesh.length + positions.length);
   new DataView(content.buffer).setUint32(0, json.length, true);

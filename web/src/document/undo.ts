@@ -49,6 +49,8 @@ export class UndoHistory implements HistoryView {
   /** Changes that have become part of the gesture. */
   #within: { before: Snapshot; name: ChangeName }[] = [];
   #lastKey: string | null = null;
+  /** Changes that joined the one before, and the name that the entry had then. Their states are not kept for this. */
+  #joined: { before: WeakRef<Snapshot>; name: ChangeName }[] = [];
   /** Those that could be gone forward to when a change was last recorded. */
   #namesAhead: ChangeName[] = [];
   #statesAhead: (Snapshot | null)[] = [];
@@ -104,7 +106,7 @@ export class UndoHistory implements HistoryView {
     this.#states = entries.map(({ state }) => state);
     this.#present = present;
     this.#gesture = null;
-    this.#lastKey = null;
+    this.#endJoining();
     this.#revised();
   }
 
@@ -121,22 +123,45 @@ export class UndoHistory implements HistoryView {
     if (this.#gesture !== null) return void this.#within.push({ before, name });
     const joins = key !== null && key === this.#lastKey;
     this.#lastKey = key;
-    if (joins) this.#names[this.#present] = name;
+    if (joins) this.#join(before, name);
     else this.#push(before, name);
     this.#revised();
   }
 
   /** Takes back the change last recorded, which began at `before`: it failed. What it had put an end to can be gone to again.
-   *  False: it was not the last, or joined one before, or a gesture goes on; its entry stays. */
+   *  False: it was not the last, or joined one before, whose name comes back, or a gesture goes on; its entry stays. */
   takeBack(before: Snapshot): boolean {
+    this.#unjoin(before);
     this.#within = this.#within.filter((each) => each.before !== before);
     if (this.#gesture !== null || this.#states[this.#present - 1] !== before) return false;
-    this.#lastKey = null;
+    this.#endJoining();
     this.#names.splice(this.#present, Infinity, ...this.#namesAhead);
     this.#present -= 1;
     this.#states.splice(this.#present, Infinity, null, ...this.#statesAhead);
     this.#revised();
     return true;
+  }
+
+  /** The next change is an entry of its own. */
+  #endJoining(): void {
+    this.#lastKey = null;
+    this.#joined = [];
+  }
+
+  #join(before: Snapshot, name: ChangeName): void {
+    this.#joined.push({ before: new WeakRef(before), name: this.#names[this.#present]! });
+    this.#names[this.#present] = name;
+  }
+
+  /** What a change that joined had for a name before is that of the entry again, or else before the change that joined next. */
+  #unjoin(before: Snapshot): void {
+    const change = this.#joined.find((each) => each.before.deref() === before);
+    if (change === undefined) return;
+    const next = this.#joined[this.#joined.indexOf(change) + 1];
+    if (next) next.name = change.name;
+    else this.#names[this.#present] = change.name;
+    this.#joined = this.#joined.filter((each) => each !== change);
+    this.#revised();
   }
 
   /** Before the first change of a gesture. */
@@ -153,7 +178,7 @@ export class UndoHistory implements HistoryView {
     if (before === null) return;
     const called = name ?? this.#within.at(-1)?.name;
     this.#gesture = null;
-    this.#lastKey = null;
+    this.#endJoining();
     if (called === undefined) return this.#changed();
     this.#push(before, called);
     this.#revised();
@@ -186,7 +211,7 @@ export class UndoHistory implements HistoryView {
   goTo(index: number, now: Snapshot): Snapshot | null {
     const state = this.stateAt(index);
     if (state === null) return null;
-    this.#lastKey = null;
+    this.#endJoining();
     this.#states[this.#present] = now;
     this.#present = index;
     this.#revised();
@@ -204,6 +229,7 @@ export class UndoHistory implements HistoryView {
   }
 
   #push(before: Snapshot, name: ChangeName): void {
+    this.#joined = [];
     this.#statesAhead = this.#states.splice(this.#present, Infinity, before, null).slice(1);
     this.#namesAhead = this.#names.splice(this.#present + 1, Infinity, name);
     this.#present += 1;
@@ -226,12 +252,22 @@ function firstKept(states: readonly (Snapshot | null)[], last: number): number {
   return 0;
 }
 
+/** Of a handle, as it is kept; as text it mostly takes less. */
+export const HANDLE_BYTES = 200;
+
 /** Adds up the bytes of states; what they share counts once. */
 export class Measure {
   bytes = 0;
   readonly #seen = new Set<object | null>([null]);
+  readonly #sharesHandles: boolean;
 
-  add({ positions, net, guide }: Snapshot): void {
+  /** @param sharesHandles false: each state has handles of its own, as in files. */
+  constructor(sharesHandles = true) {
+    this.#sharesHandles = sharesHandles;
+  }
+
+  add({ handles, positions, net, guide }: Snapshot): void {
+    this.#add(this.#sharesHandles ? handles : {}, HANDLE_BYTES * handles.length);
     this.#add(positions, positions?.byteLength ?? 0);
     this.#add(net, bytesOf(net));
     if (guide && 'mesh' in guide) this.#add(guide, bytesOf(guide));

@@ -32,7 +32,7 @@ export class AskedDraper {
     return new Promise((resolve, reject) => {
       signal?.throwIfAborted();
       signal?.addEventListener('abort', () => reject(signal.reason), { once: true });
-      this.#worker.onerror = ({ message }) => reject(new Failure('worker_lost', message));
+      this.#worker.onerror = ({ message }) => reject(new Failure('worker_lost', message || words.page.programMissing));
       this.#worker.onmessage = ({ data }) => {
         if (data.type === type) resolve(data as Answer<Type>);
         else if (data.type === 'error') reject(new Failure(data.code, words.core.failure(data.code, data.message)));

@@ -93,7 +93,7 @@ export interface RemeshedNet extends ShownNet {
   sharpQuads: number;
 }
 
-export interface SingularPlace extends SurfacePlace {
+interface SingularPlace extends SurfacePlace {
   valence: number;
 }
 

@@ -11,6 +11,8 @@ import type {
 } from '../../../wasm/chebnet';
 import { codeOf, messageOf } from '../failure';
 import { withEditor } from '../files/file_report';
+import { handleBy } from '../worker/handlers';
+import type { Handlers } from '../worker/handlers';
 import { describe, openSurface } from '../worker/opened_net';
 import type {
   DrapeRequest,
@@ -50,33 +52,27 @@ export class Draper {
 
   handle(request: DrapeRequest): void {
     try {
-      this.#post(this.#answer(request));
+      this.#post(handleBy(this.#answers, request));
     } catch (error) {
       this.#post({ type: 'error', code: codeOf(error), message: messageOf(error) });
     }
   }
 
-  #answer(request: DrapeRequest): DrapeResponse {
-    if (request.type === 'open') return this.#open(request.source);
+  readonly #answers: Handlers<DrapeRequest, DrapeResponse> = {
+    open: ({ source }) => this.#open(source),
+    propose: ({ settings }) => this.#propose(this.#present(), settings),
+    drape: ({ settings }) => this.#lay(this.#present(), settings),
+    trace: ({ points, revision }) => trace(this.#present(), points, revision),
+    shortestCut: (request) => this.#shortestCut(this.#present(), request),
+    place: ({ at, mark, revision }) => ({ type: 'placed', place: placeOf(this.#present(), at), mark, revision }),
+    proposeCuts: ({ settings }) => this.#proposeCuts(this.#present(), settings),
+    remesh: ({ options }) => this.#cover(this.#present(), options),
+    measure: ({ mesh }) => this.#measure(this.#present(), mesh),
+  };
+
+  #present(): Surface {
     if (this.#surface === null) throw new Error('no surface is open');
-    if (request.type === 'propose') return this.#propose(this.#surface, request.settings);
-    if (request.type === 'drape') return this.#lay(this.#surface, request.settings);
-    if (request.type === 'trace') return trace(this.#surface, request.points, request.revision);
-    if (request.type === 'shortestCut') return this.#shortestCut(this.#surface, request);
-    if (request.type === 'place')
-      return {
-        type: 'placed',
-        place: placeOf(this.#surface, request.at),
-        mark: request.mark,
-        revision: request.revision,
-      };
-    if (request.type === 'proposeCuts') return this.#proposeCuts(this.#surface, request.settings);
-    if (request.type === 'remesh') return this.#cover(this.#surface, request.options);
-    const mesh = request.mesh ?? this.#mesh;
-    if (mesh === null) throw new Error('no net has been laid');
-    const start = performance.now();
-    const report = this.#surface.measure(mesh, request.mesh ? undefined : this.#length);
-    return { type: 'measured', report, milliseconds: performance.now() - start };
+    return this.#surface;
   }
 
   #open(source: SurfaceSource): DrapeResponse {
@@ -165,6 +161,15 @@ export class Draper {
       sharpQuads,
       ...this.#shown(mesh, milliseconds),
     };
+  }
+
+  /** The last net, unless it is another one. */
+  #measure(surface: Surface, other: Mesh | undefined): DrapeResponse {
+    const mesh = other ?? this.#mesh;
+    if (mesh === null) throw new Error('no net has been laid');
+    const start = performance.now();
+    const report = surface.measure(mesh, other ? undefined : this.#length);
+    return { type: 'measured', report, milliseconds: performance.now() - start };
   }
 
   #shown(mesh: Mesh, times: PhaseTimes, length?: number): ShownNet {

@@ -2,6 +2,8 @@
 import type { DrapeReport, Mesh, Point, RemeshOptions, RemeshPhase, SurfacePlace } from '../../../wasm/chebnet';
 import { Failure } from '../failure';
 import { words } from '../language/language';
+import { handleBy } from '../worker/handlers';
+import type { Handlers } from '../worker/handlers';
 import type {
   Cut,
   DrapedNet,
@@ -149,7 +151,7 @@ export class Draping {
   #start(): DrapeWorkerLike {
     const worker = this.#spawn();
     worker.onmessage = ({ data }) => this.#receive(data);
-    worker.onerror = ({ message }) => this.#lose(message);
+    worker.onerror = ({ message }) => this.#lose(message || words.page.programMissing);
     return worker;
   }
 
@@ -194,8 +196,8 @@ export class Draping {
   }
 
   #receive(response: DrapeResponse): void {
-    if (response.type === 'progress') return this.#events.progressed(response.phase, response.done);
     const request = this.#asked;
+    if (response.type === 'progress') return handleBy(this.#tellers, response, request?.type ?? null);
     this.#asked = null;
     const isOld = this.#waits('open') || (response.type === 'measured' && this.#waits('drape', 'remesh'));
     if (!isOld && (response.type === 'draped' || response.type === 'remeshed')) this.#unmeasured = { type: 'measure' };
@@ -203,25 +205,26 @@ export class Draping {
     const [next, ...others] = this.#waiting;
     this.#waiting = others;
     if (next !== undefined) this.#post(next);
-    if (!isOld) this.#tell(response, request?.type ?? null);
+    if (!isOld) handleBy(this.#tellers, response, request?.type ?? null);
     const unmeasured = this.#unmeasured;
     if (this.#asked === null && unmeasured !== null) this.#still = setTimeout(() => this.#ask(unmeasured), STILL_MS);
   }
 
-  #tell(response: DrapeResponse, request: DrapeRequest['type'] | null): void {
-    if (response.type === 'opened') this.#tellOpened(response.surface, response.length);
-    else if (response.type === 'proposed') this.#events.proposed(response.proposals);
-    else if (response.type === 'traced') this.#events.traced(response.cut, response.revision);
-    else if (response.type === 'cutFound') this.#events.cutFound(response.cut, response.revision);
-    else if (response.type === 'placed') this.#tellPlaced(response.place, response.mark, response.revision);
-    else if (response.type === 'cutsProposed') this.#events.cutsProposed(response.cuts, response.coverage);
-    else if (response.type === 'draped') this.#events.draped(response);
-    else if (response.type === 'missed') this.#events.missed();
-    else if (response.type === 'remeshed') this.#events.remeshed(response);
-    else if (response.type === 'measured') this.#events.measured(response.report, response.milliseconds);
-    else if (response.type === 'error')
-      this.#events.refused(new Failure(response.code, words.core.failure(response.code, response.message)), request);
-  }
+  readonly #tellers: Handlers<DrapeResponse, void, [request: DrapeRequest['type'] | null]> = {
+    opened: ({ surface, length }) => this.#tellOpened(surface, length),
+    proposed: ({ proposals }) => this.#events.proposed(proposals),
+    traced: ({ cut, revision }) => this.#events.traced(cut, revision),
+    cutFound: ({ cut, revision }) => this.#events.cutFound(cut, revision),
+    placed: ({ place, mark, revision }) => this.#tellPlaced(place, mark, revision),
+    cutsProposed: ({ cuts, coverage }) => this.#events.cutsProposed(cuts, coverage),
+    draped: (net) => this.#events.draped(net),
+    progress: ({ phase, done }) => this.#events.progressed(phase, done),
+    missed: () => this.#events.missed(),
+    remeshed: (net) => this.#events.remeshed(net),
+    measured: ({ report, milliseconds }) => this.#events.measured(report, milliseconds),
+    error: ({ code, message }, request) =>
+      this.#events.refused(new Failure(code, words.core.failure(code, message)), request),
+  };
 
   #tellPlaced(place: SurfacePlace | null, mark: number | null, revision: number): void {
     if (place !== null) this.#events.placed(place, mark, revision);

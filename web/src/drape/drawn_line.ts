@@ -2,7 +2,7 @@
 import type { Point } from '../../../wasm/chebnet';
 import type { Cut, Ray } from './drape_protocol';
 
-export interface LineEvents {
+interface LineEvents {
   /** How a line through some points runs. */
   traceWanted(points: (Point | Ray)[], revision: number): void;
   /** More of it is known, or less. */

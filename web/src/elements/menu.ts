@@ -15,12 +15,12 @@ export interface MenuItem {
 }
 
 /** Lines that belong together, below a heading. */
-export interface MenuGroup {
+interface MenuGroup {
   title: string;
   items: readonly MenuItem[];
 }
 
-export interface MenuLook {
+interface MenuLook {
   id: string;
   icon: string;
   label: string;

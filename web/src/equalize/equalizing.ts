@@ -27,7 +27,7 @@ export class Equalizing {
         else if (data.type === 'ended') resolve(data);
         else reject(new Failure(data.code, words.core.failure(data.code, data.message)));
       };
-      this.#worker.onerror = ({ message }) => reject(new Failure('worker_lost', message));
+      this.#worker.onerror = ({ message }) => reject(new Failure('worker_lost', message || words.page.programMissing));
     });
     this.#worker.postMessage(request);
     return ended.finally(() => this.close());

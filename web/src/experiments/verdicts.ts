@@ -2,7 +2,7 @@
 import type { experiments } from '../language/en/experiments';
 import file from './verdicts.json';
 
-export type Verdict = keyof typeof experiments.verdicts;
+type Verdict = keyof typeof experiments.verdicts;
 export type Unit = keyof typeof experiments.units;
 
 export interface Finding {

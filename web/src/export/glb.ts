@@ -1,5 +1,6 @@
 /** A net as binary glTF: its triangles with a colour at each vertex, and its edges. Loaded when it is asked for. */
 import {
+  Box3,
   BufferAttribute,
   BufferGeometry,
   Color,
@@ -10,6 +11,7 @@ import {
   MeshBasicMaterial,
   MeshStandardMaterial,
   SRGBColorSpace,
+  Vector3,
 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import type { UpAxis } from '../document/document';
@@ -36,7 +38,11 @@ export async function glbOf({
   up,
   name,
 }: Painted): Promise<Uint8Array<ArrayBuffer>> {
-  const places = new BufferAttribute(Float32Array.from(positions), 3);
+  const origin = originOf(positions);
+  const places = new BufferAttribute(
+    Float32Array.from(positions, (x, i) => x - origin.getComponent(i % 3)),
+    3,
+  );
   const faces = new BufferGeometry();
   faces.setAttribute('position', places);
   faces.setAttribute('color', new BufferAttribute(linear(colours), 3));
@@ -52,7 +58,18 @@ export async function glbOf({
   const paint = new MeshStandardMaterial({ vertexColors: true, side: DoubleSide, roughness: 0.9, metalness: 0 });
   const pen = new MeshBasicMaterial({ color: new Color().setRGB(...ink, SRGBColorSpace) });
   net.add(named('faces', new Mesh(faces, paint)), named('edges', new LineSegments(lines, pen)));
+  for (const part of net.children) part.position.copy(origin);
   return new Uint8Array((await new GLTFExporter().parseAsync(net, { binary: true, trs: true })) as ArrayBuffer);
+}
+
+/** Farther from the origin than so many times its size, a net is told from a place within it: positions have 24 bits. */
+const FAR = 100;
+
+/** From where positions are told; nodes have numbers of full length. */
+function originOf(positions: Float64Array): Vector3 {
+  const box = new Box3().setFromArray(positions);
+  const centre = box.getCenter(new Vector3());
+  return centre.length() > FAR * box.getSize(new Vector3()).length() ? centre : new Vector3();
 }
 
 function named<T extends { name: string }>(name: string, object: T): T {

@@ -18,7 +18,7 @@ export const TABLES = ['edges', 'rods'] as const;
 export type TableName = (typeof TABLES)[number];
 
 /** Each has a hint in `panelWords.exports.hints`. */
-export type OwnKind = (typeof OWN)[number]['name'];
+type OwnKind = (typeof OWN)[number]['name'];
 /** A name of either table. */
 export type FileKind = string;
 
@@ -34,7 +34,7 @@ export interface SaveRequest {
 }
 
 /** One line of the menu. */
-export interface ExportKind {
+interface ExportKind {
   kind: FileKind;
   title: string;
   hint: string;

@@ -200,5 +200,6 @@ function mm(length: number): string {
 /** Escapes a name for XML. */
 function escaped(text: string): string {
   const entities: Record<string, string> = { '&': '&amp;', '<': '&lt;', '>': '&gt;' };
-  return text.replace(/[&<>\p{Cc}]/gu, (sign) => entities[sign] ?? ' ');
+  // What XML has no place for is a blank: controls, half characters and the two that are none.
+  return text.replace(/[&<>\p{Cc}\p{Cs}\uFFFE\uFFFF]/gu, (sign) => entities[sign] ?? ' ');
 }

@@ -7,7 +7,6 @@ import { download } from '../files/download';
 import { panelWords } from '../language/panels';
 import type { Theme } from '../view/theme';
 import type { Opening } from '../worker/opening';
-import type { ExportFormat } from '../worker/protocol';
 import type { ExportAnswer, ExportJob } from './job';
 import { typeOf } from './kinds';
 import type { SaveRequest } from './kinds';
@@ -15,20 +14,20 @@ import { vertexColours } from './paint';
 import { Failure } from '../failure';
 
 /** What is saved. */
-export interface Saveable {
+interface Saveable {
   readonly opening: Opening | null;
   /** The core's. */
   readonly formats: readonly FormatInfo[];
   /** See View.picture(). */
   picture(magnification: number): Promise<Blob>;
   /** The present net as the bytes of a file. */
-  exported(format: ExportFormat): Promise<Uint8Array<ArrayBuffer>>;
+  exported(format: string): Promise<Uint8Array<ArrayBuffer>>;
   flatPattern(): Promise<FlatPattern | PatternFault>;
   rods(): Promise<VertexLists>;
   say(message: string, action: { label: string; run(): void }): void;
 }
 
-export interface SaveParts {
+interface SaveParts {
   app: Saveable;
   theme(): Theme;
   spawnWorker(): Worker;
@@ -126,7 +125,7 @@ function paintedJob({ document, net, frame }: Opening, theme: Theme, formats: re
 function made(job: ExportJob, worker: Worker): Promise<Uint8Array<ArrayBuffer>> {
   const answered = new Promise<ExportAnswer>((resolve) => {
     worker.onmessage = ({ data }: MessageEvent<ExportAnswer>) => resolve(data);
-    worker.onerror = ({ message }) => resolve({ message });
+    worker.onerror = ({ message }) => resolve({ message: message || panelWords.saving.notStarted });
     worker.postMessage(job);
   });
   return answered.then(bytesOf).finally(() => worker.terminate());

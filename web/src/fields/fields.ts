@@ -148,7 +148,7 @@ export const FIELDS = {
 export type FieldName = keyof typeof FIELDS;
 
 /** Fields whose ends can be set. */
-export type ScaledName = {
+type ScaledName = {
   [Name in FieldName]: (typeof FIELDS)[Name] extends { ends: string } ? Name : never;
 }[FieldName];
 

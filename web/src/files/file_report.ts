@@ -13,7 +13,7 @@ export interface FileReport extends NetInfo {
   posture: Posture;
 }
 
-export interface Refusal {
+interface Refusal {
   code: string;
   message: string;
 }

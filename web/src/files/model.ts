@@ -3,7 +3,7 @@ import type { Mesh } from '../../../wasm/chebnet';
 import type { UpAxis } from '../document/document';
 import { Failure } from '../failure';
 
-export interface Model {
+interface Model {
   mesh: Mesh;
   /** Where the format says which axis points up. */
   up?: UpAxis;

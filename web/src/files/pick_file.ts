@@ -1,11 +1,11 @@
 import type { FormatInfo } from '../../../wasm/chebnet';
 import { MODEL_FORMATS } from './model_formats';
 
-/** Lets the user choose a file, a mesh or a project; null if they cancel. */
-export function pickFile(formats: readonly FormatInfo[]): Promise<File | null> {
+/** Lets the user choose a mesh, or a project as well; null if they cancel. */
+export function pickFile(formats: readonly FormatInfo[], what: 'mesh' | 'any'): Promise<File | null> {
   const input = document.createElement('input');
   input.type = 'file';
-  input.accept = acceptOf(formats);
+  input.accept = acceptOf(formats, what);
   return new Promise((resolve) => {
     input.onchange = () => resolve(input.files?.[0] ?? null);
     input.oncancel = () => resolve(null);
@@ -14,9 +14,10 @@ export function pickFile(formats: readonly FormatInfo[]): Promise<File | null> {
 }
 
 /** The extensions that can be opened; any file while no format is known. */
-export function acceptOf(formats: readonly FormatInfo[]): string {
+export function acceptOf(formats: readonly FormatInfo[], what: 'mesh' | 'any'): string {
   if (formats.length === 0) return '';
   const meshes = formats.map(({ name }) => name);
   const models = MODEL_FORMATS.flatMap(({ extensions }) => extensions);
-  return [...meshes, ...models, 'json'].map((extension) => `.${extension}`).join();
+  const projects = what === 'any' ? ['json'] : [];
+  return [...meshes, ...models, ...projects].map((extension) => `.${extension}`).join();
 }

@@ -17,7 +17,7 @@ import {
 import type { Snapping } from './snapping';
 
 /** The part of the view that shows how a drag is guided. */
-export interface GuideView {
+interface GuideView {
   /** How freely each vertex moves, 0 … 1; null: all move freely. */
   setRegion(mobility: Float32Array | null): void;
   /** What share of the move each handle makes; null: all that move make all of it. */
@@ -168,6 +168,9 @@ export class DragGuide {
     const drag = ++this.#drags;
     const vertices = this.#free.filter(({ isLed }) => !isLed).map(({ vertex }) => vertex);
     if (vertices.length > MOST_LIMITED) return;
+    // The solver is to be at the first move before it is asked for this.
+    await new Promise((resume) => setTimeout(resume));
+    if (drag !== this.#drags) return;
     const reaches = await this.#client.reach(vertices);
     if (drag !== this.#drags) return;
     const led = new Set(this.#free.filter(({ isLed }) => isLed).map(({ vertex }) => vertex));

@@ -24,7 +24,7 @@ import { AXES, type Motion, transformed } from './transform';
 import type { Choice, GizmoMode, HandleTraits, HandleCommands, LineName } from './commands';
 
 /** The part of the app that it uses. */
-export interface HandleHost {
+interface HandleHost {
   opening(): Opening | null;
   /** The state before a change. Fails where no net is open, or another one is about to be. */
   before(): Snapshot;
@@ -152,15 +152,7 @@ export class HandleEditor implements HandleCommands {
     this.#host.change({ handles: after });
     // At once: others may be selected before the solver has taken them.
     this.select(selection);
-    try {
-      await this.#client.setHandles(targetsOf(handles));
-    } catch (error) {
-      // A solver that replaces a lost one takes them from the document.
-      if (!this.#client.returning) {
-        this.#takeBack(before, after);
-        throw error;
-      }
-    }
+    await this.#taken(this.#client.setHandles(targetsOf(handles)), before, after);
   }
 
   add(vertex: number, also: Selection = []): void {
@@ -370,9 +362,16 @@ export class HandleEditor implements HandleCommands {
     const asked = Promise.all([limited, this.#client.drag(both, inHand), ...(inHand ? [this.#client.release()] : [])]);
     const after = this.#withTargets(both);
     this.#host.change({ handles: after });
+    await this.#taken(asked, before, after);
+  }
+
+  /** Handles that stand in the document are taken back if the solver refuses them. */
+  async #taken(asked: Promise<unknown>, before: Snapshot, after: readonly HandleData[]): Promise<void> {
     try {
       await asked;
     } catch (error) {
+      // A solver that replaces a lost one takes them from the document.
+      if (this.#client.returning) return;
       this.#takeBack(before, after);
       throw error;
     }

@@ -15,7 +15,7 @@ const ATTRACTS = 0.3;
 const STILL = 1e-6;
 
 /** A surface or a curve. */
-export interface SnapPlace {
+interface SnapPlace {
   nearest(point: Vec3): Vec3;
 }
 

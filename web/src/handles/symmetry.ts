@@ -1,6 +1,7 @@
 /** Editing on both sides of a plane at once: which vertex is the mirror image of which, and where it then goes. */
 import type { Handle } from '../../../wasm/chebnet';
 import type { HandleData, Symmetry, Vec3 } from '../document/document';
+import { PointGrid } from './point_grid';
 import { AXES } from './transform';
 
 /** A vertex may lie so far from the mirror image of its partner, in edge lengths. */
@@ -22,11 +23,11 @@ export class Mirror {
   readonly #offset: number;
   readonly #known = new Map<number, number | null>();
   readonly #restPositions: Float64Array;
-  readonly #edgeLength: number;
+  readonly #atRest: PointGrid;
 
   constructor(symmetry: Symmetry, restPositions: Float64Array, edgeLength: number) {
     this.#restPositions = restPositions;
-    this.#edgeLength = edgeLength;
+    this.#atRest = new PointGrid(restPositions, REACH * edgeLength);
     this.#axis = AXES.indexOf(symmetry.axis);
     this.#offset = offsetOf(symmetry, restPositions);
   }
@@ -68,26 +69,8 @@ export class Mirror {
   #nearest(vertex: number): number | null {
     const known = this.#known.get(vertex);
     if (known !== undefined) return known;
-    const nearest = this.#nearestTo(this.#image(this.#rest(vertex)));
+    const nearest = this.#atRest.nearest(this.#image(this.#rest(vertex)));
     this.#known.set(vertex, nearest);
-    return nearest;
-  }
-
-  #nearestTo(place: Vec3): number | null {
-    const restPositions = this.#restPositions;
-    let nearest: number | null = null;
-    let smallest = (REACH * this.#edgeLength) ** 2;
-    for (let i = 0; i < restPositions.length; i += 3) {
-      const [dx, dy, dz] = [
-        restPositions[i]! - place[0],
-        restPositions[i + 1]! - place[1],
-        restPositions[i + 2]! - place[2],
-      ];
-      const distance = dx * dx + dy * dy + dz * dz;
-      if (distance > smallest) continue;
-      smallest = distance;
-      nearest = i / 3;
-    }
     return nearest;
   }
 

@@ -13,6 +13,7 @@ export const en = {
     hideControls: 'Hide the controls',
     language: 'Language',
     partMissing: 'This part of the page could not be loaded; is there a network?',
+    programMissing: 'The program for it could not be loaded; is there a network?',
   },
   intro: {
     drag: { before: 'Drag the ', sphere: 'orange sphere', after: '. Every edge keeps its length.' },

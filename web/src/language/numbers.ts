@@ -7,6 +7,7 @@ export const ROUNDING = 1e-16;
 /** A small number with two digits, e.g. 4.2e-7; from 100 on it has all before the point. */
 export function small(value: number): string {
   if (value === 0) return '0';
+  if (value <= -ROUNDING) return `-${small(-value)}`;
   if (value < ROUNDING) return '< 1e-16';
   if (!Number.isFinite(value)) return '∞';
   return value >= 0.01 && value < 1000

@@ -13,6 +13,7 @@ export const zh: Words = {
     hideControls: '收起控制面板',
     language: '语言',
     partMissing: '页面的这一部分无法加载，请检查网络。',
+    programMissing: '所需的程序无法加载，请检查网络。',
   },
   intro: {
     drag: { before: '拖动', sphere: '橙色小球', after: '，每条边的长度保持不变。' },

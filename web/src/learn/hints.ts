@@ -46,7 +46,8 @@ export class Hints {
 
   #note(hint: Hint): void {
     this.#done.add(hint);
-    remember(this.#done);
+    // The first drag does not wait for the disc.
+    setTimeout(() => remember(this.#done));
   }
 
   /** The next one follows at once, on the same button. */

@@ -24,7 +24,7 @@ export function hasTwoFamilies({ edges, faceStart, faceVertices }: Faces): boole
 }
 
 /** The number of the edge between two vertices. */
-export function edgeFinder(edges: Int32Array): (a: number, b: number) => number {
+function edgeFinder(edges: Int32Array): (a: number, b: number) => number {
   const vertices = 1 + edges.reduce((most, vertex) => Math.max(most, vertex), 0);
   const key = (a: number, b: number) => vertices * Math.min(a, b) + Math.max(a, b);
   const numbers = new Map<number, number>();

@@ -97,7 +97,7 @@ function angleBetween(u: Float64Array, i: number, v: Float64Array, j: number): n
 const known = new WeakMap<Int32Array, Int32Array>();
 
 /** The two faces of each edge, −1 for one that is not there. */
-function facePairs({ edges, faceStart, faceVertices }: Faces): Int32Array {
+export function facePairs({ edges, faceStart, faceVertices }: Faces): Int32Array {
   const before = known.get(faceVertices);
   if (before) return before;
   const pairs = new Int32Array(edges.length).fill(-1);

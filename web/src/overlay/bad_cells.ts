@@ -1,7 +1,7 @@
 /** The cells of a net that is not as it should be. */
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { deviation, edgeLength, KEPT_DEVIATION } from '../net/edge_lengths';
-import { sharpQuads } from '../net/fold';
+import { facePairs, sharpQuads } from '../net/fold';
 
 /** Edges are told apart from the worst one when their error is below this part of it. */
 const PART_OF_WORST = 0.01;
@@ -23,26 +23,19 @@ export function badCells(net: OpenedNet, { positions, lengthScale }: FrameData, 
   };
 }
 
-function edgesOff({ edges, restLengths }: OpenedNet, positions: Float64Array, scale: number): Set<string> {
+function edgesOff({ edges, restLengths }: OpenedNet, positions: Float64Array, scale: number): number[] {
   const errors = restLengths.map((length, edge) => deviation(edgeLength(positions, edges, edge) / (length * scale)));
   const worst = errors.reduce((most, each) => Math.max(most, each), 0);
   const least = Math.max(KEPT_DEVIATION, PART_OF_WORST * worst);
-  const off = new Set<string>();
+  const off: number[] = [];
   errors.forEach((error, edge) => {
-    if (error > least) off.add(keyOf(edges[2 * edge]!, edges[2 * edge + 1]!));
+    if (error > least) off.push(edge);
   });
   return off;
 }
 
-function facesAt({ faceStart, faceVertices }: OpenedNet, edges: ReadonlySet<string>): Set<number> {
-  const faces = new Set<number>();
-  for (let face = 0; edges.size > 0 && face + 1 < faceStart.length; face++) {
-    const corners = faceVertices.subarray(faceStart[face], faceStart[face + 1]);
-    if (corners.some((vertex, i) => edges.has(keyOf(vertex, corners.at(i - 1)!)))) faces.add(face);
-  }
-  return faces;
-}
-
-function keyOf(a: number, b: number): string {
-  return a < b ? `${a} ${b}` : `${b} ${a}`;
+function facesAt(net: OpenedNet, edges: readonly number[]): Set<number> {
+  if (edges.length === 0) return new Set();
+  const pairs = facePairs(net);
+  return new Set(edges.flatMap((edge) => [...pairs.subarray(2 * edge, 2 * edge + 2)]).filter((face) => face >= 0));
 }

@@ -1,6 +1,7 @@
 /** Fields for the ends of the colour map, and a button back to the automatic ones: what the legend unfolds. */
 import { type ChebnetDocument, lookOf } from '../document/document';
 import { make, makeButton, setValue } from '../elements/dom';
+import { takeCommas, withPoint } from '../elements/number_input';
 import { type Ends, endText } from '../fields/colour_map';
 import { areEnds, endsOf, fieldOf, type ShownColouring, scaleOf } from '../fields/fields';
 import { panelWords } from '../language/panels';
@@ -13,6 +14,7 @@ const TEXT = panelWords.legend;
 export class MapEnds implements Panel {
   readonly #inputs = [TEXT.low, TEXT.high].map((label) => {
     const input = make('input', { type: 'text', 'aria-label': label, title: label, autocomplete: 'off' });
+    takeCommas(input);
     input.addEventListener('change', () => this.#read(input));
     return input;
   });
@@ -43,10 +45,15 @@ export class MapEnds implements Panel {
 
   #read(changed: HTMLInputElement): void {
     for (const input of this.#inputs) input.setCustomValidity('');
-    const [low = NaN, high = NaN] = this.#inputs.map(({ value }) => (value.trim() === '' ? NaN : Number(value)));
+    const [low = NaN, high = NaN] = this.#inputs.map(({ value }) => numberIn(value.trim()));
     const field = fieldOf(this.#view.field);
     if (areEnds(field, [low, high])) return this.#choose([low, high]);
     changed.setCustomValidity(TEXT.badEnds(field.ends === 'above 0'));
     changed.reportValidity();
   }
+}
+
+/** With a comma that did not become a point as it was typed, by an input method. */
+function numberIn(text: string): number {
+  return text === '' ? NaN : Number(withPoint(text));
 }

@@ -1,6 +1,7 @@
 /** The name of the page, and below it a hint what can be done with the net. */
 import type { HandleData } from '../document/document';
 import { make, makeButton, setText } from '../elements/dom';
+import { setHidden } from '../elements/leave';
 import type { Choice } from '../handles/commands';
 import { chosen, type Selection } from '../handles/selection';
 import { words } from '../language/language';
@@ -28,7 +29,7 @@ export class Title implements Panel {
     const draggable = handles.some(({ anchor }) => !anchor);
     this.#toDrag.hidden = selecting || !draggable;
     this.#toClick.hidden = selecting || draggable;
-    this.#propose.hidden = selecting || handles.length > 0;
+    setHidden(this.#propose, selecting || handles.length > 0);
     setText(this.#toSelect, selecting ? words.intro.select(selection.length, lockedOf(selection, handles)) : '');
   }
 }

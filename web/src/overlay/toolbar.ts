@@ -4,6 +4,7 @@ import type { HistoryView } from '../document/undo';
 import type { Choice } from '../handles/commands';
 import { words } from '../language/language';
 import { make, makeButton, makeIcon } from '../elements/dom';
+import { setDisabled } from '../elements/leave';
 import { Menu } from '../elements/menu';
 import type { Panel, PanelEvents } from '../panels';
 import { createProjectMenu } from './project_menu';
@@ -63,7 +64,7 @@ export class Toolbar implements Panel {
   }
 
   setHistory({ canUndo, canRedo }: HistoryView): void {
-    this.#undo.disabled = !canUndo;
-    this.#redo.disabled = !canRedo;
+    setDisabled(this.#undo, !canUndo);
+    setDisabled(this.#redo, !canRedo);
   }
 }

@@ -1,15 +1,17 @@
-/** Stores the document in the browser soon after each change, unless a drag or a solve is under way. */
+/** Stores the document in the browser soon after each change; while a drag or a solve is under way, now and then. */
 import type { App } from '../app/app';
 import type { Project } from '../document/project';
 import { Measure, numberOf } from '../document/undo';
 import { projectFormat } from './format';
-import { enlist, hasName, keep, newId, release } from './kept';
+import { enlist, hasName, isOwn, keep, keepView, newId, release } from './kept';
 import { lazy } from '../lazy';
 
 const collection = lazy(() => import('./collection'));
 
 const PAUSE_MS = 400;
-/** Bytes of nets and positions of the history that are stored beside the present state: so many are written in some
+/** What goes on without a pause is stored after so long all the same. */
+const LONGEST_MS = 20_000;
+/** Bytes of nets, positions and handles of the history that are stored beside the present state: so many are written in some
  *  milliseconds. */
 const LARGEST_HISTORY = 8e6;
 
@@ -21,8 +23,12 @@ export class Autosave {
   /** The latest change that has been looked at, counted from the first there ever was: see #startAnother. */
   #since = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  /** When the first change was that has not been stored; null: all have. */
+  #waitsSince: number | null = null;
   /** The write under way, or the last one. */
   #writing = Promise.resolve();
+  /** Of whole projects, how many are under way. */
+  #wholes = 0;
   #refused = false;
   readonly #app: App;
   readonly #failed: () => void;
@@ -75,22 +81,40 @@ export class Autosave {
 
   /** Does nothing if nothing changed. What is stored while something is under way is stored again after that. */
   async #keep(): Promise<void> {
+    this.#waitsSince = null;
     const { revision } = this.#app.history;
     const project = this.#app.project();
     if (project === null) return;
     const view = JSON.stringify(project.view);
+    const isStored = revision === this.#revision;
+    const hasRecord = isOwn(this.#id);
+    if (hasRecord) this.#view ??= view;
     const seenAnew = this.#view !== null && this.#view !== view;
-    if (revision === this.#revision && !seenAnew) return this.#writing;
-    this.#revision = this.#app.isQuiet ? revision : -1;
+    if (isStored && !seenAnew) return this.#writing;
     this.#view = view;
-    this.#writing = this.#write(project);
+    if (isStored && hasRecord && this.#wholes === 0) this.#writing = this.#writeView(project);
+    else {
+      this.#revision = this.#app.isQuiet ? revision : -1;
+      this.#writing = this.#write(project);
+    }
     return this.#writing;
+  }
+
+  /** Of a project of which nothing else has changed since it was stored. */
+  async #writeView({ view }: Project): Promise<void> {
+    try {
+      const { writeView } = await projectFormat();
+      await keepView(this.#id, writeView(view));
+    } catch {
+      this.#noteRefusal();
+    }
   }
 
   async #write(project: Project): Promise<void> {
     const present = new Measure();
     present.add(project.entries[project.present]!.state);
     const id = this.#id;
+    this.#wholes += 1;
     try {
       const { writeProject } = await projectFormat();
       await keep(id, writeProject(project, present.bytes + LARGEST_HISTORY));
@@ -99,11 +123,17 @@ export class Autosave {
       // Only then the list of projects can show it.
       await this.#noteLook(id);
     } catch {
-      this.#refused = true;
-      // So that the next occasion tries again.
-      this.#revision = -1;
-      this.#failed();
+      this.#noteRefusal();
+    } finally {
+      this.#wholes -= 1;
     }
+  }
+
+  #noteRefusal(): void {
+    this.#refused = true;
+    // So that the next occasion tries again.
+    this.#revision = -1;
+    this.#failed();
   }
 
   /** Another net is no further state of a project that has a name: that stays as it was. */
@@ -129,11 +159,16 @@ export class Autosave {
   #soon(): void {
     void this.#startAnother();
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => {
-      // When the page is left there is no time to load it.
-      projectFormat().catch(() => {});
-      if (this.#app.isQuiet) void this.save();
-      else this.#soon();
-    }, PAUSE_MS);
+    this.#waitsSince ??= Date.now();
+    const waits = this.#waitsSince + LONGEST_MS - Date.now();
+    this.#timer = setTimeout(() => this.#pause(), Math.min(PAUSE_MS, Math.max(0, waits)));
+  }
+
+  #pause(): void {
+    // When the page is left there is no time to load it.
+    projectFormat().catch(() => {});
+    const isLate = this.#waitsSince !== null && Date.now() - this.#waitsSince >= LONGEST_MS;
+    if (this.#app.isQuiet || isLate) void this.save();
+    else this.#soon();
   }
 }

@@ -1,12 +1,12 @@
 /** The projects that the browser keeps, as a visitor sees them: named, pictured, dated; to be opened, copied and deleted. */
-import { del, get, getMany, set, setMany, update } from 'idb-keyval';
+import { delMany, get, getMany, set, setMany, update } from 'idb-keyval';
 import type { ProjectLine } from '../dialogs/project_row';
 import { netTitle } from '../document/changes';
 import { type Term, textOf } from '../document/naming';
 import { paintThumbnail } from '../elements/thumbnail';
 import { Space } from '../view/space';
 import type { Opening } from '../worker/opening';
-import { freshId, heldLocks, INDEX, lockOf, lookKey, NAMES, read, store } from './kept';
+import { freshId, heldLocks, INDEX, keysOf, lockOf, lookKey, NAMES, read, store } from './kept';
 
 /** Pixels of a picture. */
 export const PICTURE = { width: 192, height: 144 };
@@ -86,7 +86,7 @@ export async function deleteProject(id: string): Promise<() => Promise<void>> {
   const name = await nameOfProject(id);
   await update<string[]>(INDEX, (all = []) => all.filter((each) => each !== id), store);
   await renameProject(id, '');
-  await Promise.all([del(id, store), del(lookKey(id), store)]);
+  await delMany(keysOf(id), store);
   return async () => {
     await renameProject(id, name);
     await setMany(

@@ -1,6 +1,6 @@
 /** Projects kept in this browser: the newest few, those with a name, and those that are open. Each tab has one of its own, and
  *  every write is whole. What is listed of them, and what can be done with them: collection.ts. */
-import { createStore, delMany, get, promisifyRequest, update } from 'idb-keyval';
+import { createStore, delMany, get, getMany, promisifyRequest, update } from 'idb-keyval';
 
 /** A stored project. Not validated here: it may be of another version of the page; readProject() checks it. */
 export interface KeptProject {
@@ -24,6 +24,16 @@ export function lookKey(id: string): string {
   return `look ${id}`;
 }
 
+/** Under which there is its view, if nothing but that has changed since the project was written. */
+function viewKey(id: string): string {
+  return `view ${id}`;
+}
+
+/** All that there may be of a project. */
+export function keysOf(id: string): string[] {
+  return [id, lookKey(id), viewKey(id)];
+}
+
 export const store = createStore('chebnet', 'projects');
 
 export function freshId(): string {
@@ -37,30 +47,46 @@ export function newId(): string {
   return id;
 }
 
-/** The locks of this tab, and what ends them. */
-const locked = new Map<string, () => void>();
+interface Claim {
+  granted: Promise<boolean>;
+  end(): void;
+}
+
+/** The locks that this tab has or has asked for. */
+const claims = new Map<string, Claim>();
 
 export function lockOf(id: string): string {
   return `chebnet.${id}`;
 }
 
 /** Locks an id for this tab, which ends it by `release` or by its own end. False: another tab holds it, e.g. one of which
- *  this is a duplicate. */
-export function claim(id: string): Promise<boolean> {
+ *  this is a duplicate. @param mode `shared`: others may hold it in this way as well. */
+export function claim(id: string, mode: LockMode = 'exclusive'): Promise<boolean> {
   const { locks } = navigator;
-  if (locks === undefined || locked.has(id)) return Promise.resolve(true);
-  return new Promise((resolve) => {
-    const take = (lock: Lock | null): Promise<never> | null => {
+  if (locks === undefined) return Promise.resolve(true);
+  return (claims.get(id) ?? ask(locks, id, mode)).granted;
+}
+
+function ask(locks: LockManager, id: string, mode: LockMode): Claim {
+  let end = (): void => {};
+  // At once where it is released before it is granted.
+  const ended = new Promise<void>((resolve) => (end = resolve));
+  const granted = new Promise<boolean>((resolve) => {
+    const take = (lock: Lock | null): Promise<void> | null => {
+      if (lock === null && claims.get(id) === asked) claims.delete(id);
       resolve(lock !== null);
-      return lock && new Promise((done) => locked.set(id, () => done(undefined as never)));
+      return lock && ended;
     };
-    locks.request(lockOf(id), { ifAvailable: true }, take).catch(() => resolve(true));
+    locks.request(lockOf(id), { mode, ifAvailable: true }, take).catch(() => resolve(true));
   });
+  const asked = { granted, end };
+  claims.set(id, asked);
+  return asked;
 }
 
 export function release(id: string): void {
-  locked.get(id)?.();
-  locked.delete(id);
+  claims.get(id)?.end();
+  claims.delete(id);
 }
 
 /** Those of all tabs. */
@@ -96,9 +122,16 @@ export async function findNewest(except: string | null): Promise<KeptProject | u
   return newest === undefined ? undefined : read(newest);
 }
 
-/** Firefox refuses the first write after one for which there was no room. */
 export function keep(id: string, project: unknown): Promise<void> {
-  return write(id, project).catch(() => write(id, project));
+  return write((projects) => {
+    projects.put(project, id);
+    projects.delete(viewKey(id));
+  });
+}
+
+/** Of a project that is kept: the camera is turned often, and the rest of it may be large. */
+export function keepView(id: string, view: object): Promise<void> {
+  return write((projects) => projects.put(view, viewKey(id)));
 }
 
 /** What is kept becomes the newest, and this tab's; too many others that nobody has open or has named are forgotten. */
@@ -112,16 +145,21 @@ export async function enlist(id: string): Promise<void> {
   const names = (await get<Record<string, string>>(NAMES, store)) ?? {};
   const held = await heldLocks();
   await update(INDEX, note, store);
-  await delMany([...forgotten, ...forgotten.map(lookKey)], store);
+  await delMany(forgotten.flatMap(keysOf), store);
   sessionStorage.setItem(TAB, id);
   // Of long ones the end, in which they differ.
   sessionStorage.setItem(LINK, location.hash.slice(-999));
 }
 
-/** Commits by itself: a page that is being left hears no answer after which it could. */
-function write(id: string, project: unknown): Promise<void> {
+/** Firefox refuses the first write after one for which there was no room. */
+function write(change: (projects: IDBObjectStore) => void): Promise<void> {
+  return commit(change).catch(() => commit(change));
+}
+
+/** By itself: a page that is being left hears no answer after which it could. */
+function commit(change: (projects: IDBObjectStore) => void): Promise<void> {
   return store('readwrite', (projects) => {
-    projects.put(project, id);
+    change(projects);
     projects.transaction.commit();
     return promisifyRequest(projects.transaction);
   });
@@ -132,6 +170,7 @@ export async function hasName(id: string): Promise<boolean> {
 }
 
 export async function read(id: string): Promise<KeptProject | undefined> {
-  const project: unknown = await get(id, store);
-  return project === undefined ? undefined : { id, project };
+  const [project, view] = await getMany<unknown>([id, viewKey(id)], store);
+  if (project === undefined) return undefined;
+  return { id, project: view === undefined ? project : { ...(project as object), view } };
 }

@@ -11,8 +11,8 @@ import { projectFormat } from './format';
 import { claim, findLast, findNewest, isMadeOfLink, isOwn, newId, read, release } from './kept';
 import type { KeptProject } from './kept';
 import { linking } from './linking';
-import { clearCrashFlag, hasCrashFlag, setCrashFlag } from './crash_flag';
-import { Failure, messageOf } from '../failure';
+import { clearCrashFlag, hasCrashFlag, setCrashFlag, setLossFlag } from './crash_flag';
+import { codeOf, Failure, messageOf } from '../failure';
 
 const collection = lazy(() => import('./collection'));
 const choosing = lazy(() => import('./choosing'));
@@ -62,7 +62,7 @@ export class Projects {
   /** These return the message to show once a net is open. */
   async #startWithLink(hash: string, last: KeptProject | undefined): Promise<() => void> {
     const open = (): Promise<void> => this.#openFlagged(hash, () => this.#openLink(hash));
-    const hasDied = hasCrashFlag(hash);
+    const hasDied = await hasCrashFlag(hash);
     if (!hasDied) await open();
     const text = await wording();
     if (hasDied) return () => this.#offer(text.diedLink, text.openAnyway, open);
@@ -74,7 +74,7 @@ export class Projects {
 
   async #startWithLast(last: KeptProject | undefined): Promise<() => void> {
     if (last === undefined) return () => {};
-    const hasDied = hasCrashFlag(last.id) || hasCrashFlag(location.hash);
+    const hasDied = (await hasCrashFlag(last.id)) || (await hasCrashFlag(location.hash));
     if (!hasDied) await this.#restore(last);
     const text = await wording();
     if (hasDied) return () => this.#offer(text.diedKept, text.openAnyway, () => this.#restoreInstead(last));
@@ -282,19 +282,20 @@ export class Projects {
 
   /** Sets the crash flag until the net has settled. An orderly refusal clears it: the next start may try again. */
   async #openFlagged(what: string, open: () => Promise<void>): Promise<void> {
-    setCrashFlag(what);
+    const clear = setCrashFlag(what);
     try {
       await open();
     } catch (error) {
-      if ((error as { code?: unknown }).code !== 'worker_lost') clearCrashFlag();
+      if (codeOf(error) === 'worker_lost') setLossFlag(what);
+      else clear();
       throw error;
     }
-    void this.#app.settled().then(() => this.#lostAt === null && clearCrashFlag());
+    void this.#app.settled().then(clear);
   }
 
   #flagLoss(): void {
     this.#lostAt = this.#app.history.revision;
-    setCrashFlag(location.hash.length > 1 ? location.hash : this.#autosave.id);
+    setLossFlag(location.hash.length > 1 ? location.hash : this.#autosave.id);
   }
 
   /** Clears the crash flag if the document was changed since the worker was lost. */

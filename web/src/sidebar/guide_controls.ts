@@ -10,7 +10,7 @@ const TEXT = panelWords.guide;
 /** Steps of the slider: each four times as strong, the middle one as usual. */
 const [STEPS, STEP] = [6, 4];
 
-export interface GuideEvents {
+interface GuideEvents {
   setOptions(change: SolverOptions, name?: ChangeName): void;
   setHidden(hidden: boolean): void;
   putHandlesOn(): void;

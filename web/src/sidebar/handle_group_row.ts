@@ -7,7 +7,7 @@ import { panelWords } from '../language/panels';
 import { makeRowTitle } from './row_title';
 import { Toggle } from './toggle';
 
-export interface GroupEvents {
+interface GroupEvents {
   /** `adds`: beside what is selected already. */
   select(vertices: readonly number[], adds: boolean): void;
   change(vertices: readonly number[], traits: HandleTraits): void;
@@ -94,6 +94,8 @@ export class HandleGroupRow {
 
   /** A field that loses the focus reports what was changed in it; with Esc that is nothing. */
   #typed(event: KeyboardEvent): void {
+    // Of what an input method offers, Enter takes and Esc drops one.
+    if (isOfInputMethod(event)) return;
     if (event.key === 'Escape') this.#name.value = this.#shown;
     else if (event.key !== 'Enter') return;
     // Or else Enter would press the button that has the focus afterwards.
@@ -106,4 +108,9 @@ export class HandleGroupRow {
     this.#name.hidden = !on;
     this.#select.hidden = on;
   }
+}
+
+/** Safari says that the composition has ended before it tells of the key that ended it: only its code shows whose it was. */
+function isOfInputMethod({ isComposing, keyCode }: KeyboardEvent): boolean {
+  return isComposing || keyCode === 229;
 }

@@ -12,7 +12,7 @@ import { Toggle } from './toggle';
 import { coordinate } from '../language/numbers';
 import { makeRowTitle } from './row_title';
 
-export interface RowEvents {
+interface RowEvents {
   /** `adds`: beside what is selected already. */
   select(adds: boolean): void;
   change(traits: HandleTraits): void;

@@ -30,7 +30,7 @@ import { SolverPanel } from './solver_panel';
 import { StepPanel } from './step_panel';
 import './late_sections.css';
 
-export interface LateSections {
+interface LateSections {
   panels: Panel[];
   /** From top to bottom. */
   elements: HTMLElement[];

@@ -57,7 +57,7 @@ export class NewNetTrial {
     const worker = new Worker(new URL('../experiments/new_net_worker.ts', import.meta.url), { type: 'module' });
     this.#worker = worker;
     worker.onmessage = ({ data }: MessageEvent<NewNetResponse>) => worker === this.#worker && this.#receive(data);
-    worker.onerror = ({ message }) => this.#fail(new Failure('worker_lost', message));
+    worker.onerror = ({ message }) => this.#fail(new Failure('worker_lost', message || words.page.programMissing));
     this.#progress.value = 0;
     setText(this.#words, TEXT.starting);
     this.#arrange();

@@ -2,7 +2,7 @@
 import type { Panel } from '../panels';
 
 /** Those methods of panels that tell them something. */
-export type Update = Exclude<keyof Panel, 'element'>;
+type Update = Exclude<keyof Panel, 'element'>;
 type News<Name extends Update> = Parameters<NonNullable<Panel[Name]>>;
 
 /** News of one net, which say nothing of the next. */

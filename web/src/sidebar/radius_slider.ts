@@ -9,14 +9,14 @@ const STEPS = 40;
 /** In edge lengths. */
 const NEAREST = 2;
 
-export interface RadiusWords {
+interface RadiusWords {
   label: string;
   hint: string;
   /** What the first step says. */
   none: string;
 }
 
-export interface RadiusEvents {
+interface RadiusEvents {
   /** While it is moved or has the focus, and undefined at the end. */
   preview(radius: number | undefined): void;
   choose(radius: number | undefined): void;

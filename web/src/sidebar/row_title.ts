@@ -5,7 +5,7 @@ import { panelWords } from '../language/panels';
 
 export const ROW_KEYS: readonly KeyRow[] = [{ keys: ['F2'], does: 'rename' }];
 
-export interface TitleEvents {
+interface TitleEvents {
   /** `adds`: beside what is selected already. */
   select(adds: boolean): void;
   rename(): void;

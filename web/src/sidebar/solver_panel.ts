@@ -6,6 +6,7 @@ import { words } from '../language/language';
 import { panelWords } from '../language/panels';
 import type { Tables } from '../net/tables';
 import { make, makeButton, makeSection, makeSwitch } from '../elements/dom';
+import { setDisabled } from '../elements/leave';
 import { NumberField } from '../elements/number_field';
 import type { FrameData } from '../worker/protocol';
 import { InitialisationChoice, MethodChoice } from './method_choice';
@@ -81,12 +82,14 @@ export class SolverPanel implements Panel {
     this.#defaults.hidden = Object.keys(options).length === 0;
   }
 
+  // Neither button leaves the focus to "Solve": one more Enter would begin a solve, and what could be redone would be gone.
+
   setHistory({ canUndo }: HistoryView): void {
-    this.#buttons.undo.disabled = !canUndo;
+    setDisabled(this.#buttons.undo, !canUndo);
   }
 
   setFrame(_frame: FrameData, _framesPerSecond: number, solving: boolean): void {
-    if (this.#buttons.cancel.disabled === solving) this.#buttons.cancel.disabled = !solving;
+    if (this.#buttons.cancel.disabled === solving) setDisabled(this.#buttons.cancel, !solving);
   }
 
   #makeSetting(option: OptionInfo): Setting {

@@ -23,7 +23,7 @@ export interface Picture {
 }
 
 /** What is annotated. */
-export interface Annotated {
+interface Annotated {
   /** The hovered vertex. */
   found: Found | null;
   /** Whether the handle to begin with is pointed out. */

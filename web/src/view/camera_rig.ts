@@ -13,7 +13,7 @@ const DAMPING = 0.16;
 /** After a longer pause than this it is the first frame of a motion. */
 const LONG_FRAME_MS = 300;
 
-export interface RigEvents {
+interface RigEvents {
   /** The view must be redrawn. */
   moved(): void;
   /** After orbit, pan, zoom or glide. */

@@ -8,16 +8,20 @@ import { Failure } from '../failure';
 /** Pictures a second in a film. */
 const FILM_RATE = 30;
 
-/** As PNG, with so many times the pixels of the screen, or as many as the graphics card can. */
+/** As PNG without a background, also while a video has one, with so many times the pixels of the screen, or as many as the
+ *  graphics card can. */
 export function takePicture(
   renderer: WebGLRenderer,
+  scene: Scene,
   size: Vector2,
   magnification: number,
   draw: () => void,
 ): Promise<Blob> {
+  const { background } = scene;
   const ratio = renderer.getPixelRatio();
   const largest = renderer.capabilities.maxTextureSize / Math.max(size.x, size.y);
   renderer.setPixelRatio(Math.min(magnification * ratio, largest));
+  scene.background = null;
   // The canvas can be read only in the task that has drawn it; and the screen shows only what the task leaves on it.
   draw();
   const picture = new Promise<Blob>((resolve, reject) => {
@@ -26,6 +30,7 @@ export function takePicture(
     renderer.domElement.toBlob(take, 'image/png');
   });
   renderer.setPixelRatio(ratio);
+  scene.background = background;
   draw();
   return picture;
 }

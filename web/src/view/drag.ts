@@ -6,9 +6,11 @@ import type { ViewEvents } from './view';
 
 export type DragEvents = Pick<ViewEvents, 'dragStart' | 'dragMove' | 'dragEnd'>;
 
-/** Reports a drag as events: a start, at most one move a frame, an end. Nothing is reported of one that may not begin. */
+/** Reports a drag as events: a start, the first move at once, then at most one a frame, an end. Nothing is reported of one that may
+ *  not begin. */
 export class DragReport {
   #held: readonly number[] = [];
+  #hasMoved = false;
   #pending: { targets: Handle[]; along: Along | null } | null = null;
   readonly #events: DragEvents;
 
@@ -27,6 +29,7 @@ export class DragReport {
 
   begin(vertices: readonly number[]): void {
     this.#pending = null;
+    this.#hasMoved = false;
     this.#held = vertices;
     if (!this.#events.dragStart()) this.#held = [];
   }
@@ -34,6 +37,9 @@ export class DragReport {
   /** `along`: what the move is kept to. */
   move(targets: Handle[], along: Along | null = null): void {
     this.#pending = { targets, along };
+    const isFirst = !this.#hasMoved;
+    this.#hasMoved = true;
+    if (isFirst) this.flush();
   }
 
   /** Called once a frame. */

@@ -14,7 +14,7 @@ import type { HandleMarkers } from './handles';
 import type { NetData } from './net_data';
 import { Outline } from './outline';
 import type { Place } from './overlay';
-import { nearestVertex, type Plane, type Projection, pointerKind } from './picking';
+import { HANDLE_SLACK, nearestVertex, type Plane, type Projection, pointerKind, STILL } from './picking';
 import type { ViewEvents } from './view';
 
 /** The part of the scene that gestures use. */
@@ -69,10 +69,8 @@ interface Press {
   moved: boolean;
 }
 
-/** Tolerances in pixels: a fingertip hides its target and moves more than a mouse. */
+/** How far a click may be from the vertex that it is meant for, pixels. */
 const REACH = { mouse: 12, touch: 24 };
-const HANDLE_SLACK = { mouse: 4, touch: 16 };
-const STILL = { mouse: 3, touch: 8 };
 const LONG_TOUCH_MS = 450;
 /** A finger that has dragged something no farther than this may still turn out to be the first of a pinch. */
 const FAR = 24;
@@ -239,7 +237,7 @@ export class Gestures {
   /** Forgets what pointer and keys were about to do, and cancels the drag under way. */
   giveUp(): void {
     this.#nudged = null;
-    if (this.#press) this.#press = { ...this.#press, moved: true, handle: null, outline: null };
+    if (this.#press) this.#press = { ...this.#press, moved: true, handle: null, outline: null, onGizmo: false };
     this.#axes?.free();
     this.#context.outline(null);
     this.#context.gizmo.release();

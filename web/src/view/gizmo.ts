@@ -8,7 +8,7 @@ import { lazy } from '../lazy';
 import type { Eye } from './camera_rig';
 import type { Theme } from './theme';
 
-export interface GizmoEvents {
+interface GizmoEvents {
   start(): void;
   /** From where they stood at the start, in the scene. */
   move(motion: Matrix4): void;

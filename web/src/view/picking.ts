@@ -117,6 +117,11 @@ export function isInside(outline: readonly { x: number; y: number }[], x: number
   return winding !== 0;
 }
 
+/** So far from a handle it is still hit, pixels: a fingertip hides its target. */
+export const HANDLE_SLACK = { mouse: 4, touch: 16 };
+/** A pointer that moves no farther between down and up has clicked, pixels. */
+export const STILL = { mouse: 3, touch: 8 };
+
 /** Fingers are less sure than a mouse or a pen. */
 export function pointerKind({ pointerType }: PointerEvent): 'mouse' | 'touch' {
   return pointerType === 'touch' ? 'touch' : 'mouse';

@@ -1,5 +1,5 @@
 /** The 3D view: puts net, handles, ground and camera together, and draws only when something has changed. */
-import { DirectionalLight, HemisphereLight, type Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import { type Matrix4, Vector3 } from 'three';
 import type { CameraPlace, HandleData, Symmetry, ViewPlace } from '../document/document';
 import { words } from '../language/language';
 import type { Along } from '../handles/along';
@@ -9,7 +9,7 @@ import { lazy } from '../lazy';
 import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
 import { Annotations } from './annotations';
 import { directionFor, fitCamera, isBehind, type Margins, type Side, type Stand, standBack } from './camera_fit';
-import { CameraRig } from './camera_rig';
+import type { CameraRig } from './camera_rig';
 import type { AxisDrag } from './axis_drag';
 import { type DragEvents, DragReport } from './drag';
 import { endFirstVisit, isFirstVisit } from './first_visit';
@@ -19,14 +19,12 @@ import { Hand } from './hand';
 import { HandleMarkers, toScreen } from './handles';
 import type { NetData } from './net_data';
 import { type Appearance, NetDrawing } from './net_drawing';
-import { createBlankView, createNotice, probeGraphics } from './notice';
+import { createBlankView, probeGraphics } from './notice';
 import type { Place } from './overlay';
-import { type Projection, projectionOf } from './picking';
 import type { ReachSurface } from './reach_surface';
-import { endRenderer, onPixelRatioChange, pixelRatio } from './renderer';
+import { Stage } from './stage';
 import type { StepArrows } from './step_arrows';
 import type { SymmetrySheet } from './symmetry_sheet';
-import { onThemeChange, readTheme, type Theme } from './theme';
 import type { Film, Pen, PenEvents, View, ViewChoice, ViewEvents } from './view';
 import './view.css';
 
@@ -36,6 +34,8 @@ const captures = lazy(() => import('./capture'));
 const USUAL_ASPECT = 1.2;
 /** The share of its margins that title and tools do cover. */
 const COVERED = 0.6;
+/** Milliseconds within which a net usually follows the first move of a drag. A picture without it would keep it waiting. */
+const NET_FOLLOWS = 100;
 /** Of the camera, in parts of its distance: about a pixel. */
 const SEEN_MOVE = 0.002;
 
@@ -46,9 +46,7 @@ export function createView(container: HTMLElement, events: ViewEvents, reload?: 
 }
 
 class SceneView implements View {
-  readonly #scene = new Scene();
-  readonly #renderer: WebGLRenderer;
-  readonly #rig: CameraRig;
+  readonly #stage: Stage;
   readonly #gizmo: Gizmo;
   readonly #markers = new HandleMarkers();
   readonly #drawing: NetDrawing;
@@ -56,13 +54,6 @@ class SceneView implements View {
   readonly #report: DragReport;
   readonly #hand: Hand;
   readonly #gestures: Gestures;
-  readonly #notice: ReturnType<typeof createNotice>;
-  readonly #resizing: ResizeObserver;
-  readonly #stopThemes: () => void;
-  readonly #stopRatios: () => void;
-  readonly #listeners = new AbortController();
-  readonly #size = new Vector2(1, 1);
-  #theme: Theme;
   /** From where the whole net is seen. */
   #behind = false;
   #direction = directionFor();
@@ -83,7 +74,6 @@ class SceneView implements View {
   #reach: ReachSurface | null = null;
   #limits: readonly Limit[] | null = null;
   #firstVisit = isFirstVisit();
-  #frame = 0;
   /** The camera is being set to that of another view. */
   #following = false;
   /** When a handle is first taken hold of. */
@@ -98,60 +88,53 @@ class SceneView implements View {
   readonly #loadStepArrows = lazy(async () => {
     const { StepArrows } = await import('./step_arrows');
     this.#stepArrows = new StepArrows();
-    this.#stepArrows.setTheme(this.#theme);
-    this.#scene.add(this.#stepArrows.object);
+    this.#stepArrows.setTheme(this.#stage.theme);
+    this.#stage.scene.add(this.#stepArrows.object);
     return this.#stepArrows;
   });
   readonly #loadSheet = lazy(async () => {
     const { SymmetrySheet } = await import('./symmetry_sheet');
     this.#sheet = new SymmetrySheet();
-    this.#sheet.setTheme(this.#theme);
-    this.#scene.add(this.#sheet.object);
+    this.#sheet.setTheme(this.#stage.theme);
+    this.#stage.scene.add(this.#sheet.object);
   });
   readonly #loadReach = lazy(async () => {
     const { ReachSurface } = await import('./reach_surface');
     this.#reach = new ReachSurface();
-    this.#reach.setTheme(this.#theme);
-    this.#scene.add(this.#reach.object);
+    this.#reach.setTheme(this.#stage.theme);
+    this.#stage.scene.add(this.#reach.object);
   });
   readonly #loadPen = lazy(async () => ({ ...(await import('./pen')), ...(await import('./stroke')) }));
   #drawTimes: number[] = [];
   readonly #container: HTMLElement;
   readonly #events: ViewEvents;
-  readonly #graphics: 'card' | 'software';
-  readonly #reload: (() => void) | undefined;
 
   constructor(container: HTMLElement, events: ViewEvents, graphics: 'card' | 'software', reload?: () => void) {
     this.#container = container;
     this.#events = events;
-    this.#graphics = graphics;
-    this.#reload = reload;
-    this.#renderer = new WebGLRenderer({ antialias: graphics === 'card', alpha: true });
-    // What a driver says of shaders takes a while to come, and they are the same everywhere.
-    this.#renderer.debug.checkShaderErrors = false;
-    this.#theme = readTheme(container);
-    this.#drawing = new NetDrawing(this.#theme, this.#appearance, {
+    this.#stage = new Stage(container, words.view.net, graphics, {
+      beforePicture: () => this.#report.flush(),
+      draw: () => this.#draw(),
+      frameAgain: () => this.#netData && this.#rig.standAt(this.#wholeNet()),
+      themed: () => this.#applyTheme(),
+      restored: () => this.#drawing.restore(),
+      cameraMoved: () => this.#cameraMoved(),
+      cameraRested: () => events.cameraChanged(this.camera()),
+    });
+    const { canvas, scene, size } = this.#stage;
+    this.#drawing = new NetDrawing(this.#stage.theme, this.#appearance, {
       changed: () => this.#requestDraw(),
       failed: (error) => events.failed(error),
     });
-    const canvas = this.#renderer.domElement;
-    canvas.tabIndex = 0;
-    canvas.setAttribute('role', 'application');
-    canvas.setAttribute('aria-label', words.view.net);
     this.#annotations = new Annotations({
-      size: this.#size,
+      size,
       markers: this.#markers,
       vertexPoint: (vertex) => this.#vertexPoint(vertex),
       place: (point) => this.#place(point),
     });
-    container.append(canvas, this.#annotations.overlay.element);
-    this.#notice = createNotice(container);
+    canvas.after(this.#annotations.overlay.element);
     this.#report = new DragReport(this.#noteFirstDrag(events));
     this.#hand = new Hand(this.#markers, this.#report, () => this.#choice.selection);
-    this.#rig = new CameraRig(canvas, {
-      moved: () => this.#cameraMoved(),
-      rested: () => events.cameraChanged(this.camera()),
-    });
     this.#gizmo = new Gizmo(this.#rig.camera, canvas, {
       start: () => this.#hand.grab(this.#hand.moving()),
       move: (motion) => this.#carry(motion),
@@ -159,21 +142,11 @@ class SceneView implements View {
       changed: () => this.#requestDraw(),
       failed: (error) => events.failed(error),
     });
-    for (const part of [this.#drawing, this.#markers]) this.#scene.add(part.object);
-    this.#scene.add(this.#gizmo.object, this.#rig.camera);
-    this.#addLights();
+    for (const part of [this.#drawing, this.#markers, this.#gizmo]) scene.add(part.object);
     this.#gestures = this.#createGestures(canvas);
-    this.#applyTheme();
-    this.#stopThemes = onThemeChange(() => this.#readTheme());
-    const { signal } = this.#listeners;
-    canvas.addEventListener('webglcontextlost', () => this.#lost(), { signal });
-    canvas.addEventListener('webglcontextrestored', () => this.#restored(), { signal });
-    this.#resizing = new ResizeObserver(() => this.#resize());
-    this.#resizing.observe(container);
-    this.#stopRatios = onPixelRatioChange(() => this.#resize());
-    this.#resize();
+    this.#stage.begin(reload);
     // Drivers compile shaders while the first net is still to come; its first picture would wait for them.
-    this.#renderer.compile(this.#scene, this.#rig.eye);
+    this.#stage.renderer.compile(scene, this.#rig.eye);
   }
 
   setNet(net: OpenedNet, frame: FrameData, { camera, behind }: ViewPlace): void {
@@ -194,6 +167,7 @@ class SceneView implements View {
     this.#latest = frame;
     this.#drawing.setFrame(frame);
     this.#stepArrows?.update(frame, this.#netData.space, this.#netData.edgeLength);
+    this.#stage.releasePicture();
     this.#requestDraw();
   }
 
@@ -272,9 +246,9 @@ class SceneView implements View {
     const { section } = this.#drawing;
     const begin = (at: Place) => {
       const [net, data] = [this.#net, this.#netData];
-      return net && data && new Stroke({ ...net, data, section, projection: this.#projection() }, at);
+      return net && data && new Stroke({ ...net, data, section, projection: this.#stage.projection() }, at);
     };
-    return new Pen(this.#renderer.domElement, begin, events);
+    return new Pen(this.#stage.canvas, begin, events);
   }
 
   setMarks(cells: readonly (readonly number[])[]): void {
@@ -334,12 +308,14 @@ class SceneView implements View {
 
   async picture(magnification: number): Promise<Blob> {
     const { takePicture } = await captures();
-    return takePicture(this.#renderer, this.#size, magnification, () => this.#draw());
+    const { renderer, scene, size } = this.#stage;
+    return takePicture(renderer, scene, size, magnification, () => this.#stage.draw());
   }
 
   async film(): Promise<Film> {
     const { takeFilm } = await captures();
-    return takeFilm(this.#renderer, this.#scene, this.#theme, () => this.#requestDraw());
+    const { renderer, scene, theme } = this.#stage;
+    return takeFilm(renderer, scene, theme, () => this.#requestDraw());
   }
 
   setCamera(camera: CameraPlace): void {
@@ -356,8 +332,8 @@ class SceneView implements View {
   }
 
   screenPositions(vertices: readonly number[]): Place[] {
-    const { left, top } = this.#renderer.domElement.getBoundingClientRect();
-    const projection = this.#projection();
+    const { left, top } = this.#stage.canvas.getBoundingClientRect();
+    const projection = this.#stage.projection();
     return vertices.map((vertex) => {
       const { x, y } = toScreen(projection, this.#markers.point(vertex) ?? this.#vertexPoint(vertex));
       return { x: left + x, y: top + y };
@@ -365,19 +341,16 @@ class SceneView implements View {
   }
 
   dispose(): void {
-    cancelAnimationFrame(this.#frame);
-    this.#resizing.disconnect();
-    this.#stopThemes();
-    this.#stopRatios();
-    this.#listeners.abort();
-    for (const part of [this.#gestures, this.#gizmo, this.#rig, this.#markers, this.#drawing]) part.dispose();
+    for (const part of [this.#gestures, this.#gizmo, this.#markers, this.#drawing]) part.dispose();
     this.#stepArrows?.dispose();
     this.#sheet?.dispose();
     this.#reach?.dispose();
-    endRenderer(this.#renderer);
-    this.#renderer.domElement.remove();
+    this.#stage.dispose();
     this.#annotations.overlay.element.remove();
-    this.#notice.remove();
+  }
+
+  get #rig(): CameraRig {
+    return this.#stage.rig;
   }
 
   /** What is drawn of the net; null before the first. */
@@ -400,7 +373,7 @@ class SceneView implements View {
       selecting: () => this.#choice.selecting,
       moving: (handle) => this.#hand.moving(handle),
       grid: () => this.#choice.snapping?.step,
-      projection: () => this.#projection(),
+      projection: () => this.#stage.projection(),
       grab: (vertices) => this.#hand.grab(vertices),
       carry: (motion, along) => this.#carry(motion, along),
       axes: () => this.#loadAxes(),
@@ -410,25 +383,24 @@ class SceneView implements View {
     });
   }
 
-  /** Light moves with the camera, so a handle looks the same from every side. */
-  #addLights(): void {
-    const lamp = new DirectionalLight(0xffffff, 2.2);
-    lamp.position.set(-1, 2, 2);
-    this.#rig.camera.add(lamp);
-    this.#scene.add(new HemisphereLight(0xffffff, 0xb0b8c8, 1.5));
-  }
-
   #noteFirstDrag(events: ViewEvents): DragEvents {
     let leading: number | undefined;
+    let isFirst = true;
     return {
       dragStart: () => {
         leading = this.#report.vertices[0];
+        isFirst = true;
         this.#firstVisit = false;
         endFirstVisit();
         return events.dragStart();
       },
-      dragMove: (targets, along) => events.dragMove(targets, along),
+      dragMove: (targets, along) => {
+        if (isFirst) this.#stage.holdPicture(NET_FOLLOWS);
+        isFirst = false;
+        events.dragMove(targets, along);
+      },
       dragEnd: (cancelled) => {
+        this.#stage.releasePicture();
         events.dragEnd(cancelled);
         if (!cancelled && leading !== undefined) this.#keepInReach(leading);
       },
@@ -441,7 +413,7 @@ class SceneView implements View {
     const point = this.#markers.point(vertex);
     if (!point) return;
     const { x, y } = this.#place(point);
-    const { x: width, y: height } = this.#size;
+    const { x: width, y: height } = this.#stage.size;
     const { top, right, bottom, left } = this.#margins();
     const within = (at: number, low: number, high: number) => Math.max(low, Math.min(at, high));
     const isFree =
@@ -483,7 +455,7 @@ class SceneView implements View {
 
   /** Another axis is up: all scene positions change. */
   #turn(): void {
-    this.#gizmo.setTheme(this.#theme, this.#appearance.upAxis ?? 'z');
+    this.#gizmo.setTheme(this.#stage.theme, this.#appearance.upAxis ?? 'z');
     if (!this.#net || !this.#latest) return;
     const [handles, marks] = [this.#handles, this.#marks];
     this.setNet(this.#net, this.#latest, { camera: null });
@@ -523,42 +495,14 @@ class SceneView implements View {
     this.#requestDraw();
   }
 
-  #readTheme(): void {
-    this.#theme = readTheme(this.#container);
-    this.#applyTheme();
-  }
-
   #applyTheme(): void {
-    for (const part of [this.#drawing, this.#markers]) part.setTheme(this.#theme);
-    this.#stepArrows?.setTheme(this.#theme);
-    this.#sheet?.setTheme(this.#theme);
-    this.#reach?.setTheme(this.#theme);
-    this.#gizmo.setTheme(this.#theme, this.#appearance.upAxis ?? 'z');
+    const { theme } = this.#stage;
+    for (const part of [this.#drawing, this.#markers]) part.setTheme(theme);
+    this.#stepArrows?.setTheme(theme);
+    this.#sheet?.setTheme(theme);
+    this.#reach?.setTheme(theme);
+    this.#gizmo.setTheme(theme, this.#appearance.upAxis ?? 'z');
     this.#requestDraw();
-  }
-
-  /** Browsers restore a lost context, but not always. */
-  #lost(): void {
-    const run = this.#reload;
-    this.#notice.show(words.view.pictureLost, run && { label: words.offline.reload, run });
-  }
-
-  #restored(): void {
-    this.#notice.hide();
-    this.#drawing.restore();
-    this.#requestDraw();
-  }
-
-  #resize(): void {
-    const { clientWidth, clientHeight } = this.#container;
-    if (clientWidth === 0 || clientHeight === 0) return;
-    this.#size.set(clientWidth, clientHeight);
-    this.#renderer.setPixelRatio(pixelRatio(this.#graphics));
-    this.#renderer.setSize(clientWidth, clientHeight);
-    this.#rig.resize(clientWidth, clientHeight);
-    if (this.#rig.framed && this.#netData) this.#rig.standAt(this.#wholeNet());
-    // At once: setting the size has cleared the canvas.
-    this.#draw();
   }
 
   #cameraMoved(): void {
@@ -567,30 +511,24 @@ class SceneView implements View {
   }
 
   #requestDraw(): void {
-    if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#draw());
+    this.#stage.requestDraw();
   }
 
   #draw(): void {
-    try {
-      this.#report.flush();
-    } finally {
-      // What a move of the hand asks to be drawn, this draws; where that fails, the next picture is asked for anew.
-      cancelAnimationFrame(this.#frame);
-      this.#frame = 0;
-    }
-    this.#rig.update();
     if (!this.#netData) return;
     this.#prepare(this.#netData);
-    this.#renderer.render(this.#scene, this.#rig.eye);
+    const { renderer, scene } = this.#stage;
+    renderer.render(scene, this.#rig.eye);
     this.#drawAnnotations();
     this.#countDraw();
   }
 
   #prepare({ edgeLength }: NetData): void {
     const { eye, distance } = this.#rig;
-    this.#drawing.beforeDraw(this.#renderer, this.#rig, this.#size);
-    this.#stepArrows?.beforeDraw(this.#size, this.#renderer.getPixelRatio());
-    this.#markers.beforeDraw(eye, this.#size.y, edgeLength, distance);
+    const { renderer, size } = this.#stage;
+    this.#drawing.beforeDraw(renderer, this.#rig, size);
+    this.#stepArrows?.beforeDraw(size, renderer.getPixelRatio());
+    this.#markers.beforeDraw(eye, size.y, edgeLength, distance);
     this.#gizmo.setPosition(this.#gizmoPlace());
   }
 
@@ -608,8 +546,9 @@ class SceneView implements View {
 
   #fromStand({ position, target }: Stand): CameraPlace {
     const { space } = this.#netData!;
+    const { aspect: width } = this.#rig.camera;
     // No wider than it is, or what is kept would move when it comes back.
-    const aspect = Math.floor(100 * this.#rig.camera.aspect) / 100;
+    const aspect = Math.floor(100 * width) / 100 || width;
     return { position: space.toNet(position), target: space.toNet(target), aspect };
   }
 
@@ -630,12 +569,8 @@ class SceneView implements View {
   #margins(): Margins {
     const text = getComputedStyle(this.#container).getPropertyValue('--view-margins');
     const [top = 0, right = 0, bottom = 0, left = 0] = text.trim().split(/\s+/).map(Number);
-    const { x: width, y: height } = this.#size;
+    const { x: width, y: height } = this.#stage.size;
     return { top: top / height, right: right / width, bottom: bottom / height, left: left / width };
-  }
-
-  #projection(): Projection {
-    return projectionOf(this.#rig.eye, this.#size.x, this.#size.y);
   }
 
   #vertexPoint(vertex: number): Vector3 {
@@ -643,7 +578,7 @@ class SceneView implements View {
   }
 
   #place(point: Vector3): Place {
-    return toScreen(this.#projection(), point);
+    return toScreen(this.#stage.projection(), point);
   }
 
   #drawAnnotations(): void {

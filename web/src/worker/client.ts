@@ -4,7 +4,7 @@ import type { Axes, Ball, FlatPattern, Handle, PatternFault, VertexLists } from 
 import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import { words } from '../language/language';
 import { CRASHED, PROTOCOL_VERSION, touchesNet } from './protocol';
-import type { DrawnSurface, ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
+import type { DrawnSurface, FrameData, OpenedNet, Request, Response } from './protocol';
 import { Failure, codeOf } from '../failure';
 
 /** The part of a `Worker` that the client uses. */
@@ -17,7 +17,7 @@ export interface WorkerLike {
 }
 
 /** The page, as the client knows it. */
-export interface ClientHost {
+interface ClientHost {
   /** The net that is open, for the worker after one that is lost; null: none is. */
   document(): OpenScene | null;
   /** News of the net; `settled`: nothing is left to be solved. Frames from before the last open, restore or reset do not come. */
@@ -69,6 +69,8 @@ interface PendingDrag {
   promise: Promise<void>;
 }
 
+const SILENT_PARTS = 20;
+
 export class Client {
   readonly #spawn: () => WorkerLike;
   readonly #host: ClientHost;
@@ -90,9 +92,11 @@ export class Client {
   #barrier = 0;
   /** The worker has a net. */
   #hasNet = false;
+  /** Why the last worker was lost; null: none was. */
+  #loss: Failure | null = null;
   /** How a new worker opens the document in place of one that was lost; null: none does. */
   #returning: Returning | null = null;
-  #silence: ReturnType<typeof setTimeout> | undefined;
+  #silence: ReturnType<typeof setInterval> | undefined;
   #whenIdle: (() => void)[] = [];
   #adapting: (scale: number) => void = () => {};
 
@@ -122,6 +126,11 @@ export class Client {
   /** Whether a new worker is opening the document in place of one that was lost. */
   get returning(): boolean {
     return this.#returning !== null;
+  }
+
+  /** Whether it is what all that waited for a lost worker failed with. */
+  isLoss(error: unknown): boolean {
+    return error === this.#loss;
   }
 
   /** Resolves when no request that changes the net waits and the net is settled; pictures of other nets may be under way. */
@@ -216,7 +225,7 @@ export class Client {
   }
 
   /** The net as the bytes of a file. */
-  async exportFile(format: ExportFormat): Promise<Uint8Array<ArrayBuffer>> {
+  async exportFile(format: string): Promise<Uint8Array<ArrayBuffer>> {
     this.#sendDrag();
     return (await this.#ask({ type: 'export', format }, 'exported')).bytes;
   }
@@ -356,15 +365,20 @@ export class Client {
     return worker;
   }
 
-  /** Restarts the timeout, if there is anything to wait for. */
+  /** Counts the silence anew, if there is anything to wait for; in parts, all but one of which a page misses that is suspended,
+   *  and its worker with it. */
   #watch(): void {
-    clearTimeout(this.#silence);
-    if (this.busy) this.#silence = setTimeout(() => this.#lose(words.solver.silent), this.#patience);
+    clearInterval(this.#silence);
+    if (!this.busy) return;
+    let left = SILENT_PARTS;
+    this.#silence = setInterval(() => {
+      if (--left === 0) this.#lose(words.solver.silent);
+    }, this.#patience / SILENT_PARTS);
   }
 
   /** The net is not solved any further: that may be what broke the worker. */
   #lose(reason: string): void {
-    const why = new Failure('worker_lost', reason);
+    const why = (this.#loss = new Failure('worker_lost', reason));
     const [hadNet, hopeful] = [this.#hasNet, this.#proven];
     const stopped = this.solving ? ({ ending: 'running' } as const) : {};
     this.#endWorker(why);

@@ -18,10 +18,6 @@ import type { Tables } from '../net/tables';
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
 export const PROTOCOL_VERSION = 13;
 
-/** File formats that the solver's worker writes: a name from the core's table of formats, or `edges` or `rods`, their
- *  lengths as CSV. */
-export type ExportFormat = string;
-
 /** From the page to the worker. `id` counts up and comes back in the answer. */
 export type Request = { id: number } & (
   | { type: 'hello'; version: number }
@@ -54,7 +50,8 @@ export type Request = { id: number } & (
   | { type: 'restore'; scene: Omit<Scene, 'view' | 'net'> }
   /** The page has received the last frame; the next is sent only after that. Has no answer. */
   | { type: 'seen' }
-  | { type: 'export'; format: ExportFormat }
+  /** `format`: a name from the core's table of formats, or `edges` or `rods`, their lengths as CSV. */
+  | { type: 'export'; format: string }
   /** Measures that are too expensive for every frame. */
   | { type: 'measure' }
   /** Where each of these handles may be moved; see Editor.reach(). */

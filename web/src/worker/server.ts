@@ -1,23 +1,16 @@
 /** The other side of client.ts, in the worker: answers requests, and solves in slices between them. */
-import type {
-  EditState,
-  Editor,
-  Editors,
-  Handle,
-  LengthAdapter,
-  SolveReport,
-  Surface,
-  ToRest,
-  TraceRow,
-} from '../../../wasm/chebnet';
+import type { EditState, Editor, Editors, Handle, SolveReport, Surface, ToRest, TraceRow } from '../../../wasm/chebnet';
 import { numberingOf } from '../document/numbering';
 import { unpackPositions } from '../document/packing';
 import { targetsOf } from '../document/document';
 import type { GuideSource, HandleSeed } from '../document/document';
 import { arrayBuffers } from './array_buffers';
+import { handleBy } from './handlers';
+import type { Handlers } from './handlers';
+import { LengthSearch } from './length_search';
 import { describe, openNet, openSurface } from './opened_net';
 import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE, touchesNet } from './protocol';
-import type { DrawnSurface, ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
+import type { DrawnSurface, FrameData, OpenedNet, Request, Response } from './protocol';
 import { Failure, codeOf, messageOf } from '../failure';
 
 /** Milliseconds of solving between two checks for messages; at least one iteration. */
@@ -29,8 +22,6 @@ const SLICE = 12;
 const SHARE = 32;
 /** The same if every edge has its length by then: what is left of the solve goes on in the frames that follow. */
 const EXACT_SHARE = SLICE;
-/** The slice of a search for other lengths, which shows no frames. */
-const SLICE_OF_SEARCH = 100;
 /** Pairs of handles that go with a frame: of thousands of handles tens of thousands may be out of reach. */
 const MOST_PAIRS = 100;
 
@@ -42,7 +33,7 @@ type OpenScene = Extract<Request, { type: 'open' }>['scene'];
 type Answer = Response extends infer R ? (R extends { id: number } ? Omit<R, 'id'> : never) : never;
 
 /** What the server needs of the worker around it; tests have their own. */
-export interface ServerHost {
+interface ServerHost {
   post(response: Response, transfer: Transferable[]): void;
   /** Runs `task` after the messages that wait already. */
   soon(task: () => void): void;
@@ -80,8 +71,8 @@ export class Server {
   #inHand: Drag | null = null;
   /** What the last hand asked for. */
   #asked: readonly Handle[] = [];
-  /** `goesOn`: it interrupted a solve, which goes on if nothing comes of it. */
-  #search: { id: number; adapter: LengthAdapter; goesOn: boolean } | null = null;
+  /** The last one. */
+  #search: LengthSearch | null = null;
   #status: FrameData['status'] = 'running';
   /** The newest row of the present solve; null before its first iteration. */
   #row: TraceRow | null = null;
@@ -106,9 +97,9 @@ export class Server {
       return;
     }
     if (request.type !== 'seen') this.#takeNextDrag();
-    if (touchesNet(request.type)) this.#endSearch();
+    if (touchesNet(request.type)) this.#search?.giveUp(new Failure('cancelled', 'The net is being edited.'));
     try {
-      this.#answer(request);
+      handleBy(this.#answers, request);
     } catch (error) {
       if (codeOf(error) === LEFT_OUT)
         void this.#goOnInWholeCore(
@@ -119,78 +110,69 @@ export class Server {
     }
   }
 
-  #answer(request: Request): void {
-    switch (request.type) {
-      case 'hello':
-        return this.#reply(request, this.#hello(request.version));
-      case 'open':
-        return this.#open(request.id, request.scene);
-      case 'handles':
-        this.#asked = [];
-        this.#net().setHandles(request.handles);
-        return this.#accept(request, true);
-      case 'drag':
-        if (this.#solving && !this.#hadItsShare()) this.#nextDrag = request;
-        else this.#drag(request);
-        return;
-      case 'release':
-        this.#net().releaseHandles();
-        return this.#accept(request, this.#solving || this.#net().holdsBack);
-      case 'adapt':
-        return this.#adapt(request.id);
-      case 'locality':
-        this.#net().setLocality(request.radius ?? Infinity, request.origins);
-        return this.#reply(request, { type: 'done' });
-      case 'options':
-        this.#net().setState({ ...this.#net().state(), ...request.settings });
-        if (!this.#solving) this.#assess();
-        return this.#accept(request, this.#solving);
-      case 'solve':
-        return this.#accept(request, true);
-      case 'step':
-        this.#step();
-        return this.#accept(request, false);
-      case 'cancel':
-        return this.#accept(request, false);
-      case 'reset':
-        this.#asked = [];
-        this.#net().reset();
-        this.#assess();
-        return this.#accept(request, false);
-      case 'restore':
-        this.#restore(request);
-        return this.#accept(request, !request.scene.settled);
-      case 'seen':
-        this.#frameSeen = true;
-        return;
-      case 'export':
-        return this.#export(request.id, request.format);
-      case 'measure':
-        return this.#reply(request, this.#measured());
-      case 'reach':
-        return this.#reply(request, {
-          type: 'reach',
-          balls: request.vertices.map((vertex) => this.#net().reach(vertex)),
-        });
-      case 'flipped':
-        return this.#reply(request, { type: 'flipped', positions: this.#net().flipped() });
-      case 'pattern':
-        return this.#reply(request, { type: 'pattern', pattern: this.#net().flatPattern() });
-      case 'rods':
-        return this.#reply(request, { type: 'rods', rods: this.#net().rods() });
-      case 'mobility':
-        return this.#mobility(request);
-      case 'nearest': {
-        const surface = this.#surface;
-        return this.#reply(request, {
-          type: 'nearest',
-          points: request.points.map((point) => surface?.nearest(point).position ?? point),
-        });
-      }
-      case 'guide':
-        return this.#reply(request, { type: 'guide', surface: this.#surface && drawn(this.#surface) });
-    }
-  }
+  readonly #answers: Handlers<Request> = {
+    hello: (request) => this.#reply(request, this.#hello(request.version)),
+    open: ({ id, scene }) => this.#open(id, scene),
+    handles: (request) => {
+      this.#asked = [];
+      this.#net().setHandles(request.handles);
+      this.#accept(request, true);
+    },
+    drag: (request) => {
+      if (this.#solving && !this.#hadItsShare()) this.#nextDrag = request;
+      else this.#drag(request);
+    },
+    release: (request) => {
+      this.#net().releaseHandles();
+      // A net that has come home settles anew; one whose solve was stopped stays.
+      this.#accept(request, this.#solving || this.#net().holdsBack || this.#status !== 'running');
+    },
+    adapt: ({ id }) => this.#adapt(id),
+    locality: (request) => {
+      this.#net().setLocality(request.radius ?? Infinity, request.origins);
+      this.#reply(request, { type: 'done' });
+    },
+    options: (request) => {
+      this.#net().changeState(request.settings);
+      if (!this.#solving) this.#assess();
+      this.#accept(request, this.#solving);
+    },
+    solve: (request) => this.#accept(request, true),
+    step: (request) => {
+      this.#step();
+      this.#accept(request, false);
+    },
+    cancel: (request) => this.#accept(request, false),
+    reset: (request) => {
+      this.#asked = [];
+      this.#net().reset();
+      this.#assess();
+      this.#accept(request, false);
+    },
+    restore: (request) => {
+      this.#restore(request);
+      this.#accept(request, !request.scene.settled);
+    },
+    seen: () => {
+      this.#frameSeen = true;
+    },
+    export: ({ id, format }) => this.#export(id, format),
+    measure: (request) => this.#reply(request, this.#measured()),
+    reach: (request) => {
+      const balls = request.vertices.map((vertex) => this.#net().reach(vertex));
+      this.#reply(request, { type: 'reach', balls });
+    },
+    flipped: (request) => this.#reply(request, { type: 'flipped', positions: this.#net().flipped() }),
+    pattern: (request) => this.#reply(request, { type: 'pattern', pattern: this.#net().flatPattern() }),
+    rods: (request) => this.#reply(request, { type: 'rods', rods: this.#net().rods() }),
+    mobility: (request) => this.#mobility(request),
+    nearest: (request) => {
+      const surface = this.#surface;
+      const points = request.points.map((point) => surface?.nearest(point).position ?? point);
+      this.#reply(request, { type: 'nearest', points });
+    },
+    guide: (request) => this.#reply(request, { type: 'guide', surface: this.#surface && drawn(this.#surface) }),
+  };
 
   // ------------------------------------------------------------------------------------------------------- requests
 
@@ -213,7 +195,7 @@ export class Server {
     const editor = openNet(this.#core, scene.net);
     try {
       checkNumbering(editor, scene);
-      editor.setState(stateOf(scene, editor));
+      goTo(scene, editor);
       this.#setGuide(editor, scene.guide);
     } catch (error) {
       editor.dispose();
@@ -268,7 +250,7 @@ export class Server {
   #restore({ scene }: Extract<Request, { type: 'restore' }>): void {
     const editor = this.#net();
     this.#setGuide(editor, scene.guide);
-    editor.setState(stateOf(scene, editor));
+    goTo(scene, editor);
     this.#asked = [];
     this.#assess(scene);
   }
@@ -281,51 +263,26 @@ export class Server {
         .handles()
         .some((handle) => handle.vertex === vertex),
     );
-    this.#search = { id, adapter: this.#net().lengthAdapter(wanted), goesOn: this.#solving };
+    const adapter = this.#net().lengthAdapter(wanted);
+    const goesOn = this.#solving;
     this.#solving = false;
-    this.#searchSoon();
-  }
-
-  #searchSoon(): void {
-    const search = this.#search;
-    this.#host.soon(() => {
-      if (search === null || search !== this.#search) return;
-      try {
-        this.#searchOn(search);
-      } catch (error) {
-        this.#giveUpSearch(error);
-      }
+    this.#search = new LengthSearch(adapter, (task) => this.#host.soon(task), {
+      passes: (scale) => this.#post({ id, type: 'adapting', scale }),
+      ended: (scale) => this.#adapted(id, scale),
+      givenUp: (why) => {
+        this.#refuse(id, why);
+        // Nothing has come of it, so the solve that it interrupted goes on.
+        if (goesOn) this.#go(true);
+      },
     });
   }
 
-  #searchOn({ id, adapter }: { id: number; adapter: LengthAdapter }): void {
-    const { status, scale } = adapter.solve({ milliseconds: SLICE_OF_SEARCH });
-    if (status === 'running') {
-      this.#post({ id, type: 'adapting', scale });
-      return this.#searchSoon();
-    }
-    const isFound = status === 'converged';
-    if (isFound) adapter.accept();
-    adapter.dispose();
-    this.#search = null;
-    if (isFound) this.#asked = [];
+  #adapted(id: number, scale: number | null): void {
+    if (scale !== null) this.#asked = [];
     this.#forgetSolve();
     this.#touch = id;
-    this.#post({ id, type: 'adapted', scale: isFound ? scale : null });
+    this.#post({ id, type: 'adapted', scale });
     this.#go(true);
-  }
-
-  #endSearch(): void {
-    this.#giveUpSearch(new Failure('cancelled', 'The net is being edited.'));
-  }
-
-  #giveUpSearch(why: unknown): void {
-    if (this.#search === null) return;
-    const { id, adapter, goesOn } = this.#search;
-    this.#search = null;
-    adapter.dispose();
-    this.#refuse(id, why);
-    if (goesOn) this.#go(true);
   }
 
   /** Whether handles stand elsewhere than the last hand asked. */
@@ -357,7 +314,7 @@ export class Server {
     return this.#isGuided ? (this.#guide?.surface ?? null) : null;
   }
 
-  #export(id: number, format: ExportFormat): void {
+  #export(id: number, format: string): void {
     if (format === 'edges') this.#learnForces();
     const bytes = fileOf(this.#net(), format);
     this.#post({ id, type: 'exported', bytes }, [bytes.buffer]);
@@ -580,7 +537,7 @@ function checkNumbering(editor: Editor, { numbering }: OpenScene): void {
   );
 }
 
-function fileOf(editor: Editor, format: ExportFormat): Uint8Array<ArrayBuffer> {
+function fileOf(editor: Editor, format: string): Uint8Array<ArrayBuffer> {
   if (format === 'edges') return new TextEncoder().encode(editor.edgeTable());
   return format === 'rods' ? new TextEncoder().encode(editor.rodTable()) : editor.toFile(format);
 }
@@ -595,6 +552,13 @@ function isSameGuide(a: GuideSource, b: GuideSource): boolean {
 
 function drawn({ positions, normals, triangles }: Surface): DrawnSurface {
   return { positions, normals, triangles };
+}
+
+/** A scene that says nothing of positions is the net as it is, grown where its edges are longer. */
+function goTo(scene: Omit<OpenScene, 'net'>, editor: Editor): void {
+  const state = stateOf(scene, editor);
+  if (scene.positions === null) editor.changeState(state);
+  else editor.setState(state);
 }
 
 /** The editor's state for a scene. */

@@ -21,6 +21,7 @@ export async function warmUp(core: Editors, pause: () => Promise<void>): Promise
   editor.setHandles(handles);
   const { vertex, target } = handles.at(-1)!;
   for (let edit = 1; edit <= EDITS; edit++) {
+    editor.reach(vertex);
     editor.dragHandle(vertex, [target[0], target[1], target[2] - 0.1 * edit]);
     while (editor.solve({ milliseconds: MILLISECONDS }).status === 'running') await pause();
     editor.releaseHandles();

@@ -163,13 +163,14 @@ export const dialogs = {
     creases: (degrees: number) => (degrees === 0 ? 'not followed' : `followed over ${degrees}°`),
     showShear: 'Colours by shear, red at 60°',
     prospects: {
-      one_piece: (_has: string) => 'One uncut piece will cover it.',
-      tight: (has: string) =>
-        `One uncut piece may cover it, with sharp corners: its total curvature is ${has}\u00a0π, and one net can take 2\u00a0π.`,
-      a_seam: (_has: string) =>
-        'One piece goes round a hole or a handle and meets itself: expect a seam. The whole surface can do without.',
-      too_curved: (has: string) =>
-        `More curvature than one net can take, ${has}\u00a0π of 2\u00a0π: expect gaps, or cover the whole with singular vertices.`,
+      one_piece: (_covered: string) => 'One uncut piece will cover it.',
+      tight: (_covered: string) => 'One uncut piece may cover it, with a slit or sharp corners at some places.',
+      a_seam: (_covered: string) =>
+        'One piece meets itself, as round a hole or a handle: expect a seam. The whole surface can do without.',
+      too_curved: (covered: string) =>
+        `More curvature than one net can take: those tried covered ${covered} at most. Expect gaps, or cover the whole with singular vertices.`,
+      ring: (covered: string) =>
+        `One piece leaves gaps on the way round: those tried covered ${covered} at most. The whole surface can do without.`,
     },
     numbers: 'The surface in numbers',
     coversLess: 'This one covers less: drag the seed, turn it, take a proposal, or choose “The whole surface”.',
@@ -288,6 +289,8 @@ export const dialogs = {
     none: 'none',
     /** For scripts that ask how the net lies. */
     noGuide: 'There is no surface beside the net.',
+    unknownOption: (name: string, known: readonly string[]) =>
+      `unknown option "${name}"; known are ${known.join(', ')}`,
     size: 'Cells, vertices',
     cellsAndVertices: (cells: string, vertices: string) => `${cells}, ${vertices}`,
     rods: 'Rods, their length',

@@ -1,4 +1,4 @@
-export interface NewNetVerdict {
+interface NewNetVerdict {
   slower: string;
   kept: string[];
   made: string[];

@@ -12,7 +12,7 @@ export const kept = {
   diedKept: 'The page stopped while your last net was open, so it was not opened again by itself.',
   diedLink: 'The page stopped while this link was open, so it was not opened again by itself.',
   openAnyway: 'Open it',
-  notKept: 'This browser does not let the page keep your net. Save it as a project (Ctrl+S) before you leave.',
+  notKept: 'This browser does not let the page keep your net. Save it as a project before you leave.',
   wouldBeLost:
     'This browser does not keep your net: the project would replace it for good. Save it first, or open the project again.',
   fault: (file: string, reason: string) => `${file}: ${reason}`,

@@ -181,7 +181,7 @@ export const panels = {
       resize: 'Edge length',
     },
     hints: {
-      refine: 'Every quad becomes two by two, with half the edge length, on the same shape',
+      refine: 'Every quad becomes two by two, every triangle four, with half the edge length, on the same shape',
       coarsen: 'Two by two quads become one, with twice the edge length; an odd row at the border goes',
       cut: 'Both sides of the line come apart: two pieces, or a slit where the line ends inside',
       cut_flat: 'As few pieces as possible, each of which lies flat as a square grid: for a flat pattern',
@@ -432,6 +432,7 @@ export const panels = {
     click: 'click',
     dragging: 'drag',
     space: 'Space',
+    single: 'Single letters, numbers and signs work anywhere',
     where: {
       page: 'Anywhere',
       picture: 'In the picture, once it is clicked',
@@ -496,6 +497,7 @@ export const panels = {
   saving: {
     layers: { mesh: 'Mesh', rods: 'Rods' },
     failed: (reason: string) => `The file could not be made: ${reason}`,
+    notStarted: 'the program for it could not be loaded',
     pattern: {
       singular: (vertex: number, valence: number) =>
         `As it is the net does not lie flat: at vertex ${vertex}, and maybe at others, ${valence} edges meet and not four.`,
@@ -590,6 +592,7 @@ export const panels = {
     removeLine: 'Take a line out',
     join: 'Join borders',
     resize: 'Edge length',
+    equalize: 'Equalise edges',
     method: (name: string) => `Method: ${name}`,
     initialisation: (name: string) => `Start: ${name}`,
     option: (name: string, value: string) => `${name}: ${{ true: 'on', false: 'off' }[value] ?? value}`,

@@ -175,11 +175,12 @@ export const dialogs: Widened<typeof en> = {
     creases: (degrees) => (degrees === 0 ? '不跟随' : `超过 ${degrees}° 时跟随`),
     showShear: '按剪切着色，60° 为红',
     prospects: {
-      one_piece: (_has) => '一张不剪开的网即可覆盖它。',
-      tight: (has) => `一张不剪开的网或许能覆盖它，但会有尖角：其总曲率为 ${has}\u00a0π，而一张网最多承受 2\u00a0π。`,
-      a_seam: (_has) => '一张网会绕孔洞或环柄一圈并与自身相遇：会有一道接缝；“覆盖整个曲面”则没有。',
-      too_curved: (has) =>
-        `曲率超过一张网所能承受的程度（${has}\u00a0π，上限 2\u00a0π）：会有空缺，或借助奇异顶点覆盖整个曲面。`,
+      one_piece: (_covered) => '一张不剪开的网即可覆盖它。',
+      tight: (_covered) => '一张不剪开的网或许能覆盖它，但个别地方会有裂缝或尖角。',
+      a_seam: (_covered) => '一张网会与自身相遇，例如绕孔洞或环柄一圈：会有一道接缝；“覆盖整个曲面”则没有。',
+      too_curved: (covered) =>
+        `曲率超过一张网所能承受的程度：试过的网最多覆盖 ${covered}。会有空缺，或借助奇异顶点覆盖整个曲面。`,
+      ring: (covered) => `一张网绕一圈会留下空缺：试过的网最多覆盖 ${covered}。“覆盖整个曲面”则没有。`,
     },
     numbers: '曲面数据',
     coversLess: '目前这张覆盖得较少：请拖动起点、转动方向、选用一个建议，或选择“覆盖整个曲面”。',
@@ -286,6 +287,7 @@ export const dialogs: Widened<typeof en> = {
     timeOf: (total, phases) => `${total}：${phases.join('、')}`,
     none: '无',
     noGuide: '网旁没有曲面。',
+    unknownOption: (name, known) => `没有“${name}”这个选项；可用的有：${known.join('、')}`,
     size: '网格、顶点',
     cellsAndVertices: (cells, vertices) => `${cells}、${vertices}`,
     rods: '杆数、总长',

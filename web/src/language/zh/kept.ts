@@ -14,7 +14,7 @@ export const kept: Widened<typeof en> = {
   diedKept: '上次的网打开时页面意外停止，因此没有自动打开。',
   diedLink: '打开此链接时页面意外停止，因此没有自动打开。',
   openAnyway: '仍然打开',
-  notKept: '浏览器不允许本页保存您的网。离开前请保存项目（Ctrl+S）。',
+  notKept: '浏览器不允许本页保存您的网。离开前请保存项目。',
   wouldBeLost: '浏览器没有保存您的网：打开项目会永久取代它。请先保存，或再次打开该项目。',
   fault: (file, reason) => `${file}：${reason}`,
 };

@@ -172,7 +172,7 @@ export const STAGES: Record<string, string> = {
 export const OPTIONS: Record<string, string> = {
   threshold: '最大 dL 低于此值即为收敛（ε3）。',
   energy_tolerance: '能量的相对变化小于此值时，一个阶段结束（ε1）。',
-  gradient_tolerance: '梯度的范数低于此值时，一个阶段结束（ε2）。',
+  gradient_tolerance: '梯度的范数低于此值时，一个阶段结束（ε2）；dp4 和 dp8 以阈值附近的梯度大小为准。',
   max_iterations: '一次求解最多迭代这么多次。',
   p_start: '边长相差较大时能量的指数。',
   p_end: '用于抹平最后偏差的指数。',
@@ -385,7 +385,7 @@ export const panels: Widened<typeof en> = {
       resize: '边长',
     },
     hints: {
-      refine: '每个四边形分成二乘二个，边长减半，形状不变',
+      refine: '每个四边形分成二乘二个，每个三角形分成四个，边长减半，形状不变',
       coarsen: '二乘二个四边形合为一个，边长加倍；边界上多出的一行会被删除',
       cut: '线的两侧分开：成为两块，或在线止于网内之处成为一道口子',
       cut_flat: '剪成尽量少的片，每片都能展平成正方形网格，用于展开图',
@@ -616,6 +616,7 @@ export const panels: Widened<typeof en> = {
     click: '点击',
     dragging: '拖动',
     space: '空格',
+    single: '单个字母、数字和符号键在任何位置均有效',
     where: {
       page: '任何位置',
       picture: '点击图像之后',
@@ -678,6 +679,7 @@ export const panels: Widened<typeof en> = {
   saving: {
     layers: { mesh: '网格', rods: '杆' },
     failed: (reason) => `无法生成文件：${reason}`,
+    notStarted: '无法加载所需的程序',
     pattern: {
       singular: (vertex, valence) =>
         `这张网无法直接展平：在顶点 ${vertex} 处（或许还有别处）相交的边有 ${valence} 条，而不是四条。`,
@@ -766,6 +768,7 @@ export const panels: Widened<typeof en> = {
     removeLine: '取出一条线',
     join: '连接边界',
     resize: '边长',
+    equalize: '均匀化边长',
     method: (name) => `方法：${name}`,
     initialisation: (name) => `初始化：${name}`,
     option: (name, value) => `${name}：${{ true: '开', false: '关' }[value] ?? value}`,

@@ -1,10 +1,11 @@
-#include "remesh/tilt.h"
+#include "drape/tilt.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <span>
 #include <vector>
 
+#include "net/corner_edges.h"
 #include "net/measures.h"
 #include "net/topology.h"
 
@@ -50,14 +51,13 @@ double mean_tilt(const Guide& guide, const Net& net) {
 }
 
 int crumpled_edges(const Guide& guide, const Net& net) {
-    const Topology topology(net);
+    const std::vector<int> edges = corner_edges(net, Topology(net));
     const Eigen::Matrix3Xd normals = normals_of_cells(net), beneath = normals_beneath(guide, net);
     std::vector<int> first(static_cast<std::size_t>(net.edge_count()), -1);
     int count = 0;
     for (int f = 0; f < net.face_count(); ++f)
         for (int k = 0; k < 4; ++k) {
-            const std::span<const int> q = net.faces()[f];
-            int& other = first[topology.edge_between(q[k], q[(k + 1) % 4])];
+            int& other = first[edges[net.faces().start[f] + k]];
             if (other >= 0 &&
                 angle_between(normals.col(f), normals.col(other)) - angle_between(beneath.col(f), beneath.col(other)) >
                     k_fold)

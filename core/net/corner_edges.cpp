@@ -1,4 +1,4 @@
-#include "change/corner_edges.h"
+#include "net/corner_edges.h"
 
 namespace chebnet {
 
@@ -18,12 +18,6 @@ int corner_after(const Faces& faces, int face, int corner) {
 
 int corner_before(const Faces& faces, int face, int corner) {
     return (corner == faces.start[face] ? faces.start[face + 1] : corner) - 1;
-}
-
-std::vector<bool> marked(const std::vector<int>& numbers, int count) {
-    std::vector<bool> marks(static_cast<std::size_t>(count), false);
-    for (const int number : numbers) marks[number] = true;
-    return marks;
 }
 
 }  // namespace chebnet

@@ -14,7 +14,4 @@ std::vector<int> corner_edges(const Net& net, const Topology& topology);
 int corner_after(const Faces& faces, int face, int corner);
 int corner_before(const Faces& faces, int face, int corner);
 
-/// Of so many edges, which are among these.
-std::vector<bool> marked(const std::vector<int>& numbers, int count);
-
 }  // namespace chebnet

@@ -1,0 +1,199 @@
+#include "remesh/border_trials.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "drape/drape.h"
+#include "drape/tilt.h"
+#include "remesh/border_distance.h"
+#include "remesh/border_sides.h"
+#include "remesh/one_piece.h"
+#include "remesh/prepared_surface.h"
+#include "remesh/remesh_one_way.h"
+
+namespace chebnet {
+
+namespace {
+
+// Ways to end at the border are told apart by nets of so many cells, or of those asked for if they are no more.
+constexpr int k_trial_cells = 1500;
+// Only what is clearly better is worth another net, and survives rounding.
+constexpr double k_clearly_less = 0.95;
+// What counts against a net, where a mean distance of one edge from the surface counts 1: area that is not covered, of
+// all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians; how much
+// cells are tilted against the surface, in radians, on average; borders of gaps and crumpled edges, by their length,
+// where that of a net line across all of the net counts 1. A net with less than k_good_cost in all needs no rival.
+constexpr double k_gap_weight = 5, k_border_weight = 0.05, k_sharp_weight = 0.1, k_tilt_weight = 1;
+constexpr double k_open_weight = 0.1, k_fold_weight = 1;
+constexpr double k_good_cost = 0.08;
+constexpr double k_open_angle = 40 * std::numbers::pi / 180;
+
+class BorderTrials {
+public:
+    BorderTrials(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options,
+                 const RemeshProgress& progress)
+        : m_guide(guide), m_options(options), m_progress(progress) {
+        m_cells = cells_asked_for(guide->surface(), options);
+    }
+
+    Remesh run() {
+        for (std::size_t k = 0; k < std::size(k_ways); ++k) {
+            try_way(k);
+            if (k + 1 < k_rivals || !best()->is_good()) continue;
+            finish_best();
+            if (m_finished.is_good()) return std::move(*m_finished.made);
+        }
+        while (!m_trials.empty() && (!m_finished.made || (m_finals < k_most_finals && promises_more(*best()))))
+            finish_best();
+        if (!m_finished.made) std::rethrow_exception(m_failure);
+        return std::move(*m_finished.made);
+    }
+
+private:
+    using Border = RemeshOptions::Border;
+    using Way = std::optional<RemeshOptions::Border>;  // none: in one piece
+    static constexpr Way k_ways[] = {Border::always, std::nullopt, Border::outer, Border::across, Border::never};
+    // So many are tried at least: each of them may be perfect where another is only good.
+    static constexpr std::size_t k_rivals = 3;
+    // Each takes its time.
+    static constexpr int k_most_finals = 2;
+
+    struct Trial {
+        Way way = std::nullopt;
+        std::optional<Remesh> made;
+        int missed = std::numeric_limits<int>::max();
+        double cost = std::numeric_limits<double>::infinity();
+        std::exception_ptr failure{};  // why none was made
+
+        bool is_good() const { return missed == 0 && cost <= k_good_cost; }
+        auto rank() const { return std::pair(missed, cost); }
+    };
+
+    bool are_few() const { return m_cells <= k_trial_cells; }
+
+    void try_way(std::size_t k) {
+        const Surface& surface = m_guide->surface();
+        if (k_ways[k] == Border::outer && outer_border_sides(surface) == border_sides(surface)) return;
+        RemeshOptions options = m_options;
+        options.fewest = false;
+        if (!are_few()) {
+            options.length = 0;
+            options.cells = k_trial_cells;
+        }
+        const RemeshProgress progress = [&](RemeshPhase phase, double done) {
+            const int first = static_cast<int>(RemeshPhase::triangles);
+            const double part = (static_cast<int>(phase) - first + done) / (k_remesh_phases - first);
+            if (m_progress) m_progress(RemeshPhase::border, (static_cast<double>(k) + part) / std::size(k_ways));
+        };
+        m_trials.push_back(made(k_ways[k], options, progress));
+    }
+
+    std::vector<Trial>::iterator best() {
+        return std::min_element(m_trials.begin(), m_trials.end(),
+                                [](const Trial& a, const Trial& b) { return a.rank() < b.rank(); });
+    }
+
+    /// More than came of another, whose trial had promised that: a larger net may crumple where a small one does not.
+    bool promises_more(const Trial& trial) const {
+        return trial.missed < m_finished.missed ||
+               (trial.missed == m_finished.missed && trial.cost < k_clearly_less * m_finished.cost);
+    }
+
+    /// As it is asked for, unless one is finished that is better.
+    void finish_best() {
+        const auto place = best();
+        Trial trial = std::move(*place);
+        m_trials.erase(place);
+        if (m_progress) m_progress(RemeshPhase::border, 1);
+        const double milliseconds = m_watch.milliseconds();
+        const bool is_done = are_few() && !m_options.fewest;
+        if (!is_done)
+            trial = made(trial.way, m_options, m_progress);
+        else if (m_progress)
+            m_progress(RemeshPhase::fit, 1);
+        if (!trial.made) {
+            if (!m_failure) m_failure = trial.failure;
+            return;
+        }
+        ++m_finals;
+        std::array<double, k_remesh_phases>& own = trial.made->milliseconds;
+        own[static_cast<int>(RemeshPhase::border)] =
+            is_done ? milliseconds - std::accumulate(own.begin(), own.end(), 0.0) : milliseconds;
+        if (!m_finished.made || trial.rank() < m_finished.rank()) m_finished = std::move(trial);
+    }
+
+    /// Without a net where no such is found.
+    Trial made(Way way, RemeshOptions options, const RemeshProgress& progress) {
+        Trial trial;
+        trial.way = way;
+        if (way) {
+            options.border = *way;
+            try {
+                trial.made = remesh_one_way(m_guide, options, progress);
+            } catch (const Error&) {
+                trial.failure = std::current_exception();
+            }
+        } else {
+            trial.made = made_in_one_piece(options, progress);
+        }
+        if (trial.made) {
+            trial.missed = trial.made->kept.missed();
+            trial.cost = cost(trial.made->net);
+        }
+        return trial;
+    }
+
+    /// Nothing where wishes ask for more than that.
+    std::optional<Remesh> made_in_one_piece(const RemeshOptions& options, const RemeshProgress& progress) const {
+        const bool is_free = options.singular.is_empty() && options.crease == 0 && options.marked_creases.empty();
+        if (!is_free) return std::nullopt;
+        if (progress) progress(RemeshPhase::fit, 0);
+        Stopwatch watch;
+        std::optional<Net> net =
+            one_piece(m_guide->surface(), m_guide->tree(), cells_asked_for(m_guide->surface(), options), options.length,
+                      options.smallest_angle);
+        if (!net) return std::nullopt;
+        Remesh result{std::move(*net), {}, {}, 0, {}};
+        result.milliseconds[static_cast<int>(RemeshPhase::fit)] = watch.milliseconds();
+        return result;
+    }
+
+    double cost(const Net& net) const {
+        const DrapeReport report = measure_drape(m_guide->surface(), m_guide->tree(), net);
+        const double distances = report.mean_distance + k_border_weight * border_distance(m_guide->surface(), net);
+        const double lines =
+            k_open_weight * report.open_border / report.length + k_fold_weight * crumpled_edges(*m_guide, net);
+        return k_gap_weight * (1 - report.coverage) + distances / report.length +
+               k_sharp_weight * std::max(0.0, k_open_angle - report.smallest_angle) +
+               k_tilt_weight * mean_tilt(*m_guide, net) + lines / std::sqrt(net.face_count());
+    }
+
+    std::shared_ptr<const Guide> m_guide;
+    RemeshOptions m_options;
+    const RemeshProgress& m_progress;
+    double m_cells;
+    Stopwatch m_watch;
+    std::vector<Trial> m_trials;
+    int m_finals = 0;              // nets made as asked for
+    Trial m_finished;              // the best of those made as asked for
+    std::exception_ptr m_failure;  // of the first that did not come about as asked for
+};
+
+}  // namespace
+
+Remesh remesh_best_way(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options,
+                       const RemeshProgress& progress) {
+    return BorderTrials(guide, options, progress).run();
+}
+
+}  // namespace chebnet

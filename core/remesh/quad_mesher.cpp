@@ -1,0 +1,200 @@
+#include "remesh/quad_mesher.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "net/net.h"
+#include "net/topology.h"
+#include "remesh/border_sides.h"
+#include "remesh/cell_mesh.h"
+#include "remesh/cells.h"
+#include "remesh/fit.h"
+#include "remesh/prepared_surface.h"
+
+namespace chebnet {
+
+namespace {
+
+// Edges of the net are longer than the cells of the grid by about this, for they are sheared.
+constexpr double k_stretch = 1.05;
+// Of the triangles' edges, in edge lengths of the net.
+constexpr double k_triangle_length = 0.9;
+// One round of smoothing for so many vertices: so it reaches as far on the surface, however small the cells are.
+constexpr double k_vertices_a_round = 600;
+// Of cells of the grid, where they may shear.
+constexpr double k_least_grid_angle = std::numbers::pi / 6;
+// What is tried first is so with so many cells.
+constexpr int k_fewest_cells = 800;
+// A field that nothing holds is as smooth turned by any angle up to 90°. So many are tried, and one that leaves clearly
+// less error is worth it, and survives rounding.
+constexpr int k_turns_tried = 4;
+constexpr double k_clearly_smaller = 0.95;
+constexpr int k_mesh_digits = 4;  // of coordinates in messages
+
+using Border = RemeshOptions::Border;
+
+double cell_for(const Surface& surface, const RemeshOptions& options) {
+    return options.length > 0 ? options.length / k_stretch : std::sqrt(surface.area() / options.cells);
+}
+
+EvenTriangles triangles_of(const Creases& creases, double cell) {
+    return even_triangles(creases.guide->surface(), creases.guide->tree(), k_triangle_length * cell, creases.sides);
+}
+
+int piece_count(const Surface& surface) {
+    const std::vector<int> pieces = surface.components();
+    return 1 + *std::max_element(pieces.begin(), pieces.end());
+}
+
+/// Of each side, whether it is one of some; both may be empty, for none.
+std::vector<bool> either(std::vector<bool> some, const std::vector<bool>& others) {
+    some.resize(std::max(some.size(), others.size()), false);
+    for (std::size_t s = 0; s < others.size(); ++s) some[s] = some[s] || others[s];
+    return some;
+}
+
+void check_quads(const Mesh& mesh) {
+    if (mesh.faces.size() == 0) throw Error(ErrorCode::bad_option, "no cell fits on the surface");
+    for (int f = 0; f < mesh.faces.size(); ++f) {
+        const std::span<const int> face = mesh.faces[f];
+        if (face[0] == face[2] || face[1] == face[3] || face[0] == face[1] || face[2] == face[3])
+            throw Error(ErrorCode::bad_option,
+                        "the surface is thinner than a cell near " +
+                            row_text(std::span(mesh.positions.col(face[0] == face[2] ? face[0] : face[1]).data(), 3),
+                                     k_mesh_digits));
+    }
+}
+
+/// It has to be of one piece where the surface is, and have no other holes and handles.
+void check_topology(const Mesh& mesh, const Surface& surface) {
+    const Net net(mesh.positions, mesh.faces, RestLengths::own);
+    const int pieces = Topology(net).component_count();
+    if (pieces != piece_count(surface))
+        throw Error(ErrorCode::bad_option, "the net would have " + std::to_string(pieces) +
+                                               " pieces, the surface has " + std::to_string(piece_count(surface)));
+    const int characteristic = net.vertex_count() - net.edge_count() + net.face_count();
+    if (characteristic != surface.euler_characteristic())
+        throw Error(ErrorCode::bad_option,
+                    "the surface is somewhere thinner or narrower than a cell, and the net would be "
+                    "closed or torn there (its Euler characteristic would be " +
+                        std::to_string(characteristic) + ", not " + std::to_string(surface.euler_characteristic()) +
+                        ")");
+}
+
+}  // namespace
+
+QuadMesher::QuadMesher(std::shared_ptr<const Guide> guide, const RemeshOptions& options, PhaseClock& clock)
+    : m_guide(std::move(guide)),
+      m_options(options),
+      m_clock(clock),
+      m_cell(cell_for(m_guide->surface(), options)),
+      m_has_border(chebnet::has_border(m_guide->surface())),
+      m_creases(find_creases(m_guide, options.crease, options.marked_creases)),
+      m_even(triangles_of(m_creases, m_cell)) {
+    if (!options.singular.is_empty()) m_wishes = placer().placed(options.singular, m_guide->tree());
+}
+
+const WishPlacer& QuadMesher::placer() {
+    if (!m_placer) m_placer.emplace(m_even.surface, m_cell);
+    return *m_placer;
+}
+
+bool QuadMesher::wish_alone(const std::vector<PlacedWishes::Pin>& pins) {
+    try {
+        m_wishes = placer().placed_alone(pins, m_guide->tree());
+    } catch (const Error&) {
+        return false;
+    }
+    return true;
+}
+
+bool QuadMesher::has_lines() const { return may_hold_border() || !m_creases.sides.empty(); }
+
+bool QuadMesher::may_hold_border() const {
+    return m_has_border && (m_options.border == Border::always || m_options.border == Border::outer);
+}
+
+std::vector<bool> QuadMesher::held_border(const Surface& surface) const {
+    return m_holds_lines && may_hold_border() ? followed_border(surface) : std::vector<bool>();
+}
+
+/// Of each side, whether the field follows the border there.
+std::vector<bool> QuadMesher::followed_border(const Surface& surface) const {
+    return m_options.border == Border::outer ? outer_border_sides(surface) : border_sides(surface);
+}
+
+Mesh QuadMesher::mesh_along(double size, double smoothing, bool turns) const {
+    m_clock.begin(RemeshPhase::field);
+    DirectionField field = field_along(smoothing);
+    if (singular_count(field) > k_most_singular_vertices)
+        throw Error(ErrorCode::bad_option, "the surface is so rough that directions on it have " +
+                                               std::to_string(singular_count(field)) + " singular vertices");
+    if (turns && singular_count(field) > 0) field = well_turned(field);
+    m_clock.begin(RemeshPhase::grid);
+    return checked_mesh(field, size);
+}
+
+DirectionField QuadMesher::field_along(double smoothing) const {
+    const Surface& triangles = m_even.surface;
+    const int rounds = static_cast<int>(smoothing * triangles.vertex_count() / k_vertices_a_round);
+    return smoothest_field(triangles,
+                           {rounds, m_wishes ? &*m_wishes : nullptr, m_even.creases, followed_border(triangles),
+                            m_options.border == Border::across, [this] { m_clock.tell(0); }});
+}
+
+bool QuadMesher::may_turn() const { return !m_has_border && m_creases.sides.empty() && !(m_wishes && m_wishes->only); }
+
+/// How well edges can be evened out hangs on which net lines lead from one singular vertex to another, and so on how
+/// the field is turned: what is left is folded away in the end.
+DirectionField QuadMesher::well_turned(const DirectionField& field) const {
+    DirectionField best = field;
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < k_turns_tried; ++k) {
+        m_clock.tell(static_cast<double>(k + 1) / (k_turns_tried + 1));
+        DirectionField other = turned(m_even.surface, field, k * std::numbers::pi / 2 / k_turns_tried);
+        const double error = small_error(other);
+        if (error < k_clearly_smaller * least) least = error, best = std::move(other);
+    }
+    return best;
+}
+
+/// Of edges that are evened out, in a small net; infinite if there is none.
+double QuadMesher::small_error(const DirectionField& field) const {
+    try {
+        return evened_error(m_guide, checked_mesh(field, small_size()), m_options.smallest_angle);
+    } catch (const Error&) {
+        return std::numeric_limits<double>::infinity();
+    }
+}
+
+double QuadMesher::small_size() const {
+    return std::max(1.0, std::sqrt(cells_asked_for(m_guide->surface(), m_options) / k_fewest_cells));
+}
+
+Mesh QuadMesher::checked_mesh(const DirectionField& field, double size) const {
+    Mesh mesh = mesh_of(cells_of(m_even.surface, grid_along(field, size * m_cell)));
+    check_quads(mesh);
+    check_topology(mesh, m_guide->surface());
+    return mesh;
+}
+
+GridMap QuadMesher::grid_along(const DirectionField& field, double length) const {
+    const Surface& triangles = m_even.surface;
+    if (m_holds_lines) return fit_grid(triangles, field, length, either(m_even.creases, held_border(triangles)));
+    // At 45° to the border cells shear along diagonals, which follow it.
+    const bool may_shear =
+        m_options.border == Border::across && m_has_border && m_creases.sides.empty() && singular_count(field) == 0;
+    if (!may_shear) return fit_grid(triangles, field, length);
+    return fit_grid(triangles, field, length, {}, std::max(k_least_grid_angle, m_options.smallest_angle),
+                    [this] { m_clock.tell(0); });
+}
+
+}  // namespace chebnet
