@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <queue>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -75,6 +76,71 @@ Strip strip_between(const Surface& surface, const SurfacePoint& from, const Surf
     Strip strip;
     for (int face = to.face; face >= 0; face = reached.at(face).before) strip.push_back(face);
     std::reverse(strip.begin(), strip.end());
+    return strip;
+}
+
+/// The vertices on the shortest way along edges, from the triangle of one point to that of another (Dijkstra 1959).
+/// Empty if there is none.
+std::vector<int> vertices_between(const Surface& surface, const SurfacePoint& from, const SurfacePoint& to) {
+    const auto to_corner = [&](const SurfacePoint& point, int vertex) {
+        return (surface.position_at(point) - surface.positions().col(vertex)).norm();
+    };
+    struct Step {
+        double way;
+        int before;
+    };
+    using Entry = std::tuple<double, int, bool>;  // the whole way to here, a vertex, and whether it ends there
+    std::unordered_map<int, Step> reached;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting;
+    const auto reach = [&](int vertex, const Step& step) {
+        const auto [known, is_new] = reached.try_emplace(vertex, step);
+        if (!is_new && step.way >= known->second.way) return;
+        known->second = step;
+        waiting.push({step.way, vertex, false});
+    };
+    for (const int vertex : surface.triangles().col(from.face)) reach(vertex, {to_corner(from, vertex), -1});
+    while (!waiting.empty()) {
+        const auto [way, vertex, ends_here] = waiting.top();
+        waiting.pop();
+        if (ends_here) {
+            std::vector<int> vertices;
+            for (int v = vertex; v >= 0; v = reached.at(v).before) vertices.push_back(v);
+            std::reverse(vertices.begin(), vertices.end());
+            return vertices;
+        }
+        if (way > reached.at(vertex).way) continue;
+        if (corner_of(surface, to.face, vertex) >= 0) waiting.push({way + to_corner(to, vertex), vertex, true});
+        for (const int side : surface.sides_around(vertex)) {
+            reach(surface.to(side), {way + surface.length_of(side), vertex});
+            const int back = Surface::previous(side);  // at the boundary no other side goes along its edge
+            reach(surface.from(back), {way + surface.length_of(back), vertex});
+        }
+    }
+    return {};
+}
+
+/// The triangles beside the shortest way along edges: no path within them that is pulled taut is longer.
+Strip strip_along_edges(const Surface& surface, const SurfacePoint& from, const SurfacePoint& to) {
+    const std::vector<int> vertices = vertices_between(surface, from, to);
+    Strip strip{from.face};
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+        const auto is_there = [&](int face) {
+            return k + 1 < vertices.size() ? corner_of(surface, face, vertices[k + 1]) >= 0 : face == to.face;
+        };
+        std::vector<int> faces = surface.faces_around(vertices[k]);
+        auto here = std::find(faces.begin(), faces.end(), strip.back());
+        if (!surface.is_boundary(vertices[k])) {
+            std::rotate(faces.begin(), here, faces.end());
+            here = faces.begin();
+        }
+        auto there = std::find_if(here, faces.end(), is_there);
+        if (there == faces.end()) {  // at the boundary, on the other side
+            std::reverse(faces.begin(), faces.end());
+            here = std::find(faces.begin(), faces.end(), strip.back());
+            there = std::find_if(here, faces.end(), is_there);
+        }
+        strip.insert(strip.end(), here + 1, there + 1);
+    }
     return strip;
 }
 
@@ -270,6 +336,14 @@ std::optional<Strip> shorter_strip(const Surface& surface, const Strip& strip, c
     return std::nullopt;
 }
 
+/// The locally shortest path that is found from a strip on.
+SurfacePath pulled_taut(const Surface& surface, const Strip& begun_with, const SurfacePoint& from,
+                        const SurfacePoint& to) {
+    Strip strip = tidied(surface, begun_with, from, to);
+    while (const std::optional<Strip> shorter = shorter_strip(surface, strip, from, to)) strip = *shorter;
+    return Taut(surface, strip, from, to).path();
+}
+
 }  // namespace
 
 SurfacePoint snapped(const SurfacePoint& point) {
@@ -293,11 +367,11 @@ std::optional<Eigen::Vector3d> weights_in(const Surface& surface, const SurfaceP
 
 SurfacePath shortest_path(const Surface& surface, const SurfacePoint& from, const SurfacePoint& to) {
     const SurfacePoint start = snapped(from), end = snapped(to);
-    Strip strip = strip_between(surface, start, end);
-    if (strip.empty()) return {};
-    strip = tidied(surface, strip, start, end);
-    while (const std::optional<Strip> shorter = shorter_strip(surface, strip, start, end)) strip = *shorter;
-    return Taut(surface, strip, start, end).path();
+    const Strip over_middles = strip_between(surface, start, end);
+    if (over_middles.empty()) return {};
+    SurfacePath path = pulled_taut(surface, over_middles, start, end),
+                along_edges = pulled_taut(surface, strip_along_edges(surface, start, end), start, end);
+    return along_edges.length < (1 - k_shorter) * path.length ? along_edges : path;
 }
 
 }  // namespace chebnet

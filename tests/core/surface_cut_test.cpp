@@ -46,6 +46,20 @@ std::ostream& operator<<(std::ostream& out, const Form& form) {
     return out << form.pieces << " pieces, " << form.loops << " borders, Euler " << form.euler;
 }
 
+/// V×V, the lengths of the shortest ways along edges (Floyd 1962).
+Eigen::MatrixXd ways_along_edges(const Surface& surface) {
+    Eigen::MatrixXd ways = Eigen::MatrixXd::Constant(surface.vertex_count(), surface.vertex_count(), 1e300);
+    ways.diagonal().setZero();
+    for (int side = 0; side < 3 * surface.face_count(); ++side) {
+        const int v = surface.from(side), w = surface.to(side);
+        ways(v, w) = ways(w, v) = surface.length_of(side);
+    }
+    for (int u = 0; u < surface.vertex_count(); ++u)
+        for (int v = 0; v < surface.vertex_count(); ++v)
+            ways.row(v) = ways.row(v).cwiseMin((ways.row(u).array() + ways(v, u)).matrix());
+    return ways;
+}
+
 void check_same_shape(const Surface& cut, const Surface& whole) {
     CHECK(cut.area() == Approx(whole.area()).epsilon(1e-12));
     double area = 0;
@@ -70,6 +84,32 @@ TEST_CASE("A path in a plane is the straight line between its ends, whatever the
         REQUIRE(path.points.size() == path.faces.size() + 1);
         CHECK(path.length == Approx((surface.position_at(a) - surface.position_at(b)).norm()).margin(1e-12));
         CHECK(samples::length_of(cut_path(surface, {a, b})) == Approx(path.length).epsilon(1e-3).margin(1e-12));
+    }
+}
+
+TEST_CASE("A path is no longer than any along edges, whatever the triangles") {
+    const unsigned seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<int> around_some(3, 7), along_some(2, 6);
+    std::uniform_real_distribution<double> slant_some(-3, 3), height_some(0.05, 3);
+    for (int trial = 0; trial < 50; ++trial) {
+        const int around = around_some(random), along = along_some(random);
+        const double slant = slant_some(random), height = height_some(random);
+        CAPTURE(around, along, slant, height);
+        const Surface tube(samples::quads(around, along, true, false, [&](int i, int j) {
+            const double angle = 2 * std::numbers::pi * (i + slant * j) / around;
+            return Eigen::Vector3d(std::cos(angle), std::sin(angle), height * j / (along - 1));
+        }));
+        const Eigen::MatrixXd edge_ways = ways_along_edges(tube);
+        for (int v = 0; v < tube.vertex_count(); ++v)
+            for (int w = 0; w < tube.vertex_count(); ++w) {
+                const SurfacePath path =
+                    shortest_path(tube, Surface::start_of(tube.first_side(v)), Surface::start_of(tube.first_side(w)));
+                CAPTURE(v, w);
+                CHECK(path.length <= edge_ways(v, w) * (1 + 1e-12));
+                CHECK(path.length >= (tube.positions().col(v) - tube.positions().col(w)).norm() * (1 - 1e-12));
+            }
     }
 }
 
