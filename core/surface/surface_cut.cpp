@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "surface/surface_path.h"
+#include "surface/surface_point.h"
 
 namespace chebnet {
 

@@ -3,158 +3,25 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <optional>
-#include <queue>
-#include <tuple>
-#include <unordered_map>
-#include <utility>
+
+#include "surface/strip.h"
+#include "surface/surface_point.h"
 
 namespace chebnet {
 
 namespace {
 
-constexpr double k_snap_to_corner = 1e-3;
 // A detour is worth taking if the path gets shorter by more than this part of it.
 constexpr double k_shorter = 1e-9;
 
-using Strip = std::vector<int>;  // triangles, each with a side in common with the next
-
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-Eigen::Vector3d middle_of(const Surface& surface, int face) {
-    return surface.position_at({face, Eigen::Vector3d::Constant(1. / 3)});
-}
-
-int corner_of(const Surface& surface, int face, int vertex) {
-    for (int k = 0; k < 3; ++k)
-        if (surface.triangles()(k, face) == vertex) return k;
-    return -1;
-}
 
 /// The side by which one triangle of a strip is left for the next.
 int side_between(const Surface& surface, int face, int next) {
     for (int side = 3 * face; side < 3 * face + 3; ++side)
         if (surface.opposite(side) >= 0 && Surface::face_of(surface.opposite(side)) == next) return side;
     return -1;
-}
-
-/// The triangles on the shortest way from middle to middle over those of the edges between (A*, Hart et al. 1968).
-/// Empty if there is none.
-Strip strip_between(const Surface& surface, const SurfacePoint& from, const SurfacePoint& to) {
-    const Eigen::Vector3d target = surface.position_at(to);
-    struct Step {
-        double way;
-        int before;
-    };
-    using Entry = std::pair<double, int>;  // the least that the whole way can be, triangle
-    std::unordered_map<int, Step> reached{{from.face, {0, -1}}};
-    std::unordered_map<int, bool> is_final;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting;
-    waiting.push({0, from.face});
-    while (!waiting.empty()) {
-        const int face = waiting.top().second;
-        waiting.pop();
-        if (!is_final.emplace(face, true).second) continue;
-        if (face == to.face) break;
-        const Eigen::Vector3d here = face == from.face ? surface.position_at(from) : middle_of(surface, face);
-        for (int side = 3 * face; side < 3 * face + 3; ++side) {
-            if (surface.opposite(side) < 0) continue;
-            const int next = Surface::face_of(surface.opposite(side));
-            const Eigen::Vector3d edge =
-                (surface.positions().col(surface.from(side)) + surface.positions().col(surface.to(side))) / 2;
-            const Eigen::Vector3d there = middle_of(surface, next);
-            const double way = reached.at(face).way + (edge - here).norm() + (there - edge).norm();
-            const auto [known, is_new] = reached.try_emplace(next, Step{way, face});
-            if (!is_new && way >= known->second.way) continue;
-            known->second = {way, face};
-            waiting.push({way + (target - there).norm(), next});
-        }
-    }
-    if (!is_final.contains(to.face)) return {};
-    Strip strip;
-    for (int face = to.face; face >= 0; face = reached.at(face).before) strip.push_back(face);
-    std::reverse(strip.begin(), strip.end());
-    return strip;
-}
-
-/// The vertices on the shortest way along edges, from the triangle of one point to that of another (Dijkstra 1959).
-/// Empty if there is none.
-std::vector<int> vertices_between(const Surface& surface, const SurfacePoint& from, const SurfacePoint& to) {
-    const auto to_corner = [&](const SurfacePoint& point, int vertex) {
-        return (surface.position_at(point) - surface.positions().col(vertex)).norm();
-    };
-    struct Step {
-        double way;
-        int before;
-    };
-    using Entry = std::tuple<double, int, bool>;  // the whole way to here, a vertex, and whether it ends there
-    std::unordered_map<int, Step> reached;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting;
-    const auto reach = [&](int vertex, const Step& step) {
-        const auto [known, is_new] = reached.try_emplace(vertex, step);
-        if (!is_new && step.way >= known->second.way) return;
-        known->second = step;
-        waiting.push({step.way, vertex, false});
-    };
-    for (const int vertex : surface.triangles().col(from.face)) reach(vertex, {to_corner(from, vertex), -1});
-    while (!waiting.empty()) {
-        const auto [way, vertex, ends_here] = waiting.top();
-        waiting.pop();
-        if (ends_here) {
-            std::vector<int> vertices;
-            for (int v = vertex; v >= 0; v = reached.at(v).before) vertices.push_back(v);
-            std::reverse(vertices.begin(), vertices.end());
-            return vertices;
-        }
-        if (way > reached.at(vertex).way) continue;
-        if (corner_of(surface, to.face, vertex) >= 0) waiting.push({way + to_corner(to, vertex), vertex, true});
-        for (const int side : surface.sides_around(vertex)) {
-            reach(surface.to(side), {way + surface.length_of(side), vertex});
-            const int back = Surface::previous(side);  // at the boundary no other side goes along its edge
-            reach(surface.from(back), {way + surface.length_of(back), vertex});
-        }
-    }
-    return {};
-}
-
-/// The triangles beside the shortest way along edges: no path within them that is pulled taut is longer.
-Strip strip_along_edges(const Surface& surface, const SurfacePoint& from, const SurfacePoint& to) {
-    const std::vector<int> vertices = vertices_between(surface, from, to);
-    Strip strip{from.face};
-    for (std::size_t k = 0; k < vertices.size(); ++k) {
-        const auto is_there = [&](int face) {
-            return k + 1 < vertices.size() ? corner_of(surface, face, vertices[k + 1]) >= 0 : face == to.face;
-        };
-        std::vector<int> faces = surface.faces_around(vertices[k]);
-        auto here = std::find(faces.begin(), faces.end(), strip.back());
-        if (!surface.is_boundary(vertices[k])) {
-            std::rotate(faces.begin(), here, faces.end());
-            here = faces.begin();
-        }
-        auto there = std::find_if(here, faces.end(), is_there);
-        if (there == faces.end()) {  // at the boundary, on the other side
-            std::reverse(faces.begin(), faces.end());
-            here = std::find(faces.begin(), faces.end(), strip.back());
-            there = std::find_if(here, faces.end(), is_there);
-        }
-        strip.insert(strip.end(), here + 1, there + 1);
-    }
-    return strip;
-}
-
-/// Without loops, and without triangles at its ends that the path need not enter.
-Strip tidied(const Surface& surface, const Strip& strip, const SurfacePoint& from, const SurfacePoint& to) {
-    Strip tidy;
-    for (const int face : strip) {
-        const auto before = std::find(tidy.begin(), tidy.end(), face);
-        if (before != tidy.end()) tidy.erase(before, tidy.end());
-        if (weights_in(surface, from, face)) tidy.clear();
-        tidy.push_back(face);
-        if (weights_in(surface, to, face)) break;
-    }
-    return tidy;
 }
 
 /// A strip unfolded into a plane, and the shortest path within it.
@@ -303,26 +170,6 @@ private:
     std::vector<Bend> m_bends;
 };
 
-/// The strip led along the other side of a vertex; nothing at the boundary.
-std::optional<Strip> around_other_side(const Surface& surface, const Strip& strip, int vertex) {
-    if (surface.is_boundary(vertex)) return std::nullopt;
-    const auto has_vertex = [&](int face) { return corner_of(surface, face, vertex) >= 0; };
-    const auto first = std::find_if(strip.begin(), strip.end(), has_vertex);
-    const auto last = std::find_if_not(first, strip.end(), has_vertex) - 1;
-    if (first == last) return std::nullopt;
-    Strip around;  // counterclockwise
-    for (const int side : surface.sides_from(3 * *first + corner_of(surface, *first, vertex)))
-        around.push_back(Surface::face_of(side));
-    if (around[1] == first[1]) std::reverse(around.begin() + 1, around.end());
-    Strip other(strip.begin(), first);
-    for (const int face : around) {
-        other.push_back(face);
-        if (face == *last) break;
-    }
-    other.insert(other.end(), last + 1, strip.end());
-    return other;
-}
-
 /// The strip beside one of the bends within which there is a shorter path; nothing if there is none.
 std::optional<Strip> shorter_strip(const Surface& surface, const Strip& strip, const SurfacePoint& from,
                                    const SurfacePoint& to) {
@@ -346,28 +193,9 @@ SurfacePath pulled_taut(const Surface& surface, const Strip& begun_with, const S
 
 }  // namespace
 
-SurfacePoint snapped(const SurfacePoint& point) {
-    SurfacePoint near = point;
-    for (double& weight : near.weights)
-        if (weight < k_snap_to_corner) weight = 0;
-    near.weights /= near.weights.sum();
-    return near;
-}
-
-std::optional<Eigen::Vector3d> weights_in(const Surface& surface, const SurfacePoint& point, int face) {
-    Eigen::Vector3d weights = Eigen::Vector3d::Zero();
-    for (int k = 0; k < 3; ++k) {
-        if (point.weights[k] == 0) continue;
-        const int corner = corner_of(surface, face, surface.triangles()(k, point.face));
-        if (corner < 0) return std::nullopt;
-        weights[corner] = point.weights[k];
-    }
-    return weights;
-}
-
 SurfacePath shortest_path(const Surface& surface, const SurfacePoint& from, const SurfacePoint& to) {
     const SurfacePoint start = snapped(from), end = snapped(to);
-    const Strip over_middles = strip_between(surface, start, end);
+    const Strip over_middles = strip_over_middles(surface, start, end);
     if (over_middles.empty()) return {};
     SurfacePath path = pulled_taut(surface, over_middles, start, end),
                 along_edges = pulled_taut(surface, strip_along_edges(surface, start, end), start, end);

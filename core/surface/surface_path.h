@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 #include "surface/surface.h"
@@ -14,14 +12,6 @@ struct SurfacePath {
     std::vector<int> faces;            ///< one less: the triangle that has a point and the next, inside or on its rim
     double length = 0;
 };
-
-/// The point itself, or where it is nearer to an edge or a vertex than a thousandth of its triangle's heights, the
-/// point there: its weights for the corners elsewhere are 0.
-SurfacePoint snapped(const SurfacePoint& point);
-
-/// The weights of a point for the corners of a triangle on which it lies, too; nothing if it does not, as its weights
-/// tell.
-std::optional<Eigen::Vector3d> weights_in(const Surface& surface, const SurfacePoint& point, int face);
 
 /// A locally shortest path from `from` to `to`, both snapped: no other near it is shorter, nor any along edges. Begun
 /// with the triangles on the shortest way over middles of edges, it is pulled taut within them (the funnel of Lee &

@@ -9,6 +9,7 @@
 #include "sample_surfaces.h"
 #include "surface/curvature.h"
 #include "surface/surface_path.h"
+#include "surface/surface_point.h"
 
 using namespace chebnet;
 using Catch::Matchers::Contains;
