@@ -1,16 +1,19 @@
 #include "remesh/remesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "base/number.h"
 #include "base/stopwatch.h"
 #include "net/measures.h"
 #include "remesh/border_trials.h"
+#include "remesh/creases.h"
 #include "remesh/prepared_surface.h"
 #include "remesh/remesh_one_way.h"
 #include "remesh/rows.h"
@@ -27,6 +30,14 @@ constexpr double k_largest_cell = 1e15;
 void check_number(double number, double most, const char* refusal) {
     if (!std::isfinite(number)) throw Error(ErrorCode::non_finite, refusal);
     if (!(number >= 0 && number <= most)) throw Error(ErrorCode::bad_option, refusal);
+}
+
+/// What cannot be followed is not asked for: all that creases rule out is tried as without them.
+RemeshOptions without_absent_creases(const Surface& surface, RemeshOptions options) {
+    if (options.crease == 0) return options;
+    const std::vector<bool> creases = creases_of(surface, options.crease);
+    if (std::find(creases.begin(), creases.end(), true) == creases.end()) options.crease = 0;
+    return options;
 }
 
 }  // namespace
@@ -63,10 +74,11 @@ void check_remesh(const Guide& guide, const RemeshOptions& options) {
     check_marked(guide, options.marked_creases);
 }
 
-Remesh remesh(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options, const RemeshProgress& progress) {
-    check_remesh(*guide, options);
+Remesh remesh(const std::shared_ptr<const Guide>& guide, const RemeshOptions& asked, const RemeshProgress& progress) {
+    check_remesh(*guide, asked);
     const Stopwatch watch;
-    const std::shared_ptr<const Guide> closed = without_small_holes(guide, options);
+    const std::shared_ptr<const Guide> closed = without_small_holes(guide, asked);
+    const RemeshOptions options = without_absent_creases(closed->surface(), asked);
     const bool tries_ways = options.border == RemeshOptions::Border::fitting && has_border(closed->surface());
     const RemeshPhase first = tries_ways ? RemeshPhase::border : RemeshPhase::triangles;
     const std::shared_ptr<const Guide> surface = without_noise(closed, options, [&] {

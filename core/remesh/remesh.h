@@ -45,8 +45,8 @@ struct RemeshOptions {
     /// within 0.1 edges.
     bool fewest = false;
     SingularWishes singular = {};
-    /// Net lines follow edges of the surface that are sharper than this, in radians between the triangles' normals; 0:
-    /// no edge is followed.
+    /// Net lines follow edges of the surface that are sharper than this, in radians between the triangles' normals; 0,
+    /// or where none is as sharp: no edge is followed.
     double crease = 0;
     /// And curves that are marked on the surface.
     std::vector<MarkedCrease> marked_creases = {};

@@ -694,6 +694,16 @@ TEST_CASE("Net lines follow creases that meet at 60 degrees as near as equal edg
     CHECK(made.singular.size() == 8);
 }
 
+TEST_CASE("Creases that a surface does not have change nothing of its net") {
+    const Surface round = disc();
+    RemeshOptions options = of_cells(300);
+    const Net plain = remeshed(round, options, 1).net;
+    options.crease = 40 * samples::k_degree;
+    const Net net = remeshed(round, options, 1).net;
+    CHECK(net.rest_positions() == plain.rest_positions());
+    CHECK(net.edges() == plain.edges());
+}
+
 TEST_CASE("The border of a plate is a net line from corner to corner, whatever its shape") {
     const Surface rectangle = plate(17, 6, 3.3, 1.2, [](double, double) { return true; });
     const Net straight = remeshed(rectangle, of_cells(400), 1).net;
