@@ -70,6 +70,8 @@ test('a page of another site gets answers, also when its frame has a sandbox wit
   for (const sandbox of ['', 'sandbox="allow-scripts allow-same-origin"']) {
     const visitor = await visitHost(editor(sandbox));
     await gets(visitor, { chebnet: 1, event: 'ready' });
+    await post(visitor, [0], call('first', 'stats'));
+    await gets(visitor, expect.objectContaining({ id: 'first', result: expect.not.objectContaining({ vertices: 0 }) }));
     await post(visitor, [0], call('mine', 'settled'));
     await post(visitor, [0], call('handles', 'handles'));
     await gets(visitor, expect.objectContaining({ id: 'mine' }));

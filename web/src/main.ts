@@ -102,7 +102,7 @@ addEventListener('drop', (event) => {
 });
 
 async function embed(script: Scripting): Promise<void> {
-  (await embedding()).embed(element('view'), app, script);
+  (await embedding()).embed(element('view'), app, script, ready);
 }
 
 /** Browsers do not report the end of a worker: it is dispatched as an error here. */

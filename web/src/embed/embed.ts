@@ -9,11 +9,12 @@ import { Host } from './host';
 import type { Answer, News } from './protocol';
 import './embed.css';
 
-/** @param view the element that holds the picture. */
-export function embed(view: HTMLElement, app: App, script: Scripting): void {
+/** @param view the element that holds the picture.
+ *  @param opened resolves when the first net is open, or could not be. */
+export function embed(view: HTMLElement, app: App, script: Scripting, opened: Promise<void>): void {
   view.append(makeShield(view), makeWayOut(app));
   // Without an origin there are no workers, and nothing can be solved; no_origin.js tells the host.
-  if (parent !== window && origin !== 'null') listenToHost(script);
+  if (parent !== window && origin !== 'null') listenToHost(script, opened);
 }
 
 /** Lies over the picture until it is clicked, and again after Escape or a click outside of the frame. */
@@ -58,7 +59,7 @@ export function makeWayOut(app: App): HTMLElement {
   return link;
 }
 
-function listenToHost(script: Scripting): void {
+function listenToHost(script: Scripting, opened: Promise<void>): void {
   let origin = '*';
   const post = (message: Answer | News): void => parent.postMessage(message, origin);
   const host = new Host(script, post);
@@ -68,5 +69,6 @@ function listenToHost(script: Scripting): void {
     origin = event.origin === 'null' ? '*' : event.origin;
     void host.receive(event.data);
   });
-  post({ chebnet: 1, event: 'ready' });
+  // Later only than calls can be taken, so that what is asked at once is told of a net.
+  void opened.then(() => post({ chebnet: 1, event: 'ready' }));
 }

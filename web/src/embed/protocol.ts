@@ -3,8 +3,8 @@
  *
  *     <iframe src="https://…/index.html?embed#v2=…" title="…"></iframe>
  *
- * and after it has said `{ chebnet: 1, event: 'ready' }` it takes calls of the names, arguments and results of
- * `window.chebnet` (web/src/scripting.ts):
+ * and after it has said `{ chebnet: 1, event: 'ready' }`, with its first net open, it takes calls of the names, arguments and
+ * results of `window.chebnet` (web/src/scripting.ts):
  *
  *     frame.contentWindow.postMessage({ chebnet: 1, id: 7, call: 'move', args: [12, [0, 0, 3]] }, origin);
  *     // answered with { chebnet: 1, id: 7, result: undefined } or { chebnet: 1, id: 7, error: { code, message } }
