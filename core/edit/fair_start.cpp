@@ -106,12 +106,19 @@ bool FairStart::make_exact(double threshold) {
     LengthProjection lengths(m_net, m_topology);
     lengths.set_free(m_is_free);
     Positions x = m_positions;
+    bool is_net = false;
+    double best = threshold;
     for (int k = 0; k < k_most_projections && lengths.project(x); ++k) {
-        if (!(max_deviation(m_net, x) < threshold)) continue;
-        m_positions = std::move(x);
-        return true;
+        const double deviation = max_deviation(m_net, x);
+        if (deviation < best) {
+            m_positions = x;
+            best = deviation;
+            is_net = true;
+        } else if (is_net) {
+            break;
+        }
     }
-    return false;
+    return is_net;
 }
 
 }  // namespace chebnet

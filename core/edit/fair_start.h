@@ -43,7 +43,7 @@ public:
     void set_pulls(std::vector<Pull> pulls);
     /// One step. False when it has come as far as it needs to.
     bool step();
-    /// Whether that has led to a net, dL < `threshold`; else the positions stay.
+    /// Whether that has led to a net, dL < `threshold` and as near to 0 as can be; else the positions stay.
     bool make_exact(double threshold);
 
     const Positions& positions() const { return m_positions; }

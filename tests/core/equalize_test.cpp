@@ -306,6 +306,19 @@ TEST_CASE("Where there is no surface to be near, lengths alone are asked for, an
     CHECK(equalizer.positions() == alone.positions());
 }
 
+TEST_CASE("Edges get the length that is asked for, as near as they get one length") {
+    const Net mesh = noisy_patch();
+    for (const double length : {0.9 * mesh.mean_length(), 1.1 * mesh.mean_length()}) {
+        EqualizeOptions options;
+        options.choice = EqualLength::given;
+        options.length = length;
+        Equalizer equalizer(mesh, options);
+        REQUIRE(equalizer.solve().status == Status::converged);
+        const Eigen::VectorXd lengths = edge_ratios(mesh, equalizer.positions()).cwiseProduct(mesh.rest_lengths());
+        CHECK(lengths.mean() == Approx(length).epsilon(1e-10));
+    }
+}
+
 TEST_CASE("A flat mesh that cannot become equal in its plane leaves it") {
     // Six equal triangles fill a full turn about a vertex; with diagonals both ways there are four, seven or eight.
     const Net patch = noisy_patch();

@@ -620,6 +620,53 @@ TEST_CASE("Equilibrium: a flat sheet squeezed within its plane arches upwards, a
     }
 }
 
+TEST_CASE(
+    "Equilibrium: a squeezed flat sheet bows to the side to which soft handles, bent rods or weight would have it") {
+    const int n = 13, middle = n * n / 2;
+    const Net net = samples::patch(n, n, 0);
+    const double L = net.mean_length();
+    const std::vector<Handle> corners = samples::handles_at_rest(net, {0, n - 1, n * (n - 1), n * n - 1});
+    const auto squeezed = [&](double part) {
+        std::vector<Handle> handles = corners;
+        for (Handle& handle : handles)
+            handle.target +=
+                part * (net.rest_positions().col(middle) - handle.target).cwiseProduct(Eigen::Vector3d(1, 1, 0));
+        return handles;
+    };
+    using Options = std::vector<std::pair<std::string, std::string>>;
+    const auto height = [&](const Options& options, std::vector<Handle> handles, int frames) {
+        Editor editor(net);
+        for (const auto& [name, value] : options) editor.set_option(name, value);
+        editor.set_handles(corners);
+        const std::vector<Handle> ends = handles;
+        for (int frame = 1; frame <= frames; ++frame) {
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                handles[i].target = corners[i].target + frame / double(frames) * (ends[i].target - corners[i].target);
+            editor.set_handles(handles);
+            if (frame < frames) editor.solve({.iterations = 1});
+        }
+        CHECK(editor.solve().status == Status::converged);
+        return (editor.positions()(2, middle) - net.rest_positions()(2, middle)) / L;
+    };
+    const auto drawn = [&](double to) {
+        std::vector<Handle> handles = squeezed(0.05);
+        handles.push_back({middle, net.rest_positions().col(middle) + Eigen::Vector3d(0, 0, to * L), 0.2});
+        return handles;
+    };
+    for (const int frames : {1, 30}) {
+        CAPTURE(frames);
+        const double up = height({}, drawn(3), frames);
+        CHECK(up > 1);
+        CHECK(height({}, drawn(-3), frames) == Approx(-up).epsilon(1e-3));
+        const double bent = height({{"rod_curvature", "0.05"}}, squeezed(0.1), frames);
+        CHECK(std::abs(bent) > 2);
+        CHECK(height({{"rod_curvature", "-0.05"}}, squeezed(0.1), frames) == Approx(-bent).epsilon(1e-3));
+        // Weight decides where nothing else does, however little it is, and not against stiff rods.
+        CHECK(height({{"gravity", "1e-4"}}, squeezed(0.1), frames) < -2);
+        CHECK(height({{"rod_curvature", bent > 0 ? "0.05" : "-0.05"}, {"gravity", "1e-4"}}, squeezed(0.1), frames) > 2);
+    }
+}
+
 TEST_CASE("Equilibrium: where little may move, a net that would be opened up stays a net") {
     const int n = 9;
     Positions sharp(3, n * n);

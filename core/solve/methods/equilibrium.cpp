@@ -447,13 +447,14 @@ bool Equilibrium::move_handles(double part, Positions& x) {
     return m_descent.project(x);
 }
 
-/// Handles that squeeze a flat net make it bow out of its plane, in the shape in which an even load bends it.
+/// Handles that squeeze a flat net make it bow out of its plane, in the shape in which an even load bends it, to the
+/// side to which they lead it, or else weight, soft handles, a guide or rods that are bent when free.
 void Equilibrium::add_bow(const Positions& x, Eigen::Matrix3Xd& moves) {
     const auto normal = normal_of_flat(*m_net, x, up_axis(m_options));
     if (!normal) return;
     Eigen::Matrix3Xd bow;
     m_descent.give_way_to(*normal, bow);
-    moves += part_of_bow(*m_net, x, moves, bow, m_options.gravity > 0) * bow;
+    moves += part_of_bow(*m_net, x, moves, bow, m_descent.rises_along(x, bow)) * bow;
 }
 
 /// Where the way from the last net leads no farther: by the way from the rest shape, or else, if it was to end where

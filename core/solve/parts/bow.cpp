@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linear/dense_kernels.h"
+#include "linear/ordered_dot.h"
 
 namespace chebnet {
 
@@ -43,7 +43,7 @@ std::optional<Eigen::Vector3d> normal_of_flat(const Net& net, const Positions& p
 }
 
 double part_of_bow(const Net& net, const Positions& positions, const Eigen::Matrix3Xd& moves,
-                   const Eigen::Matrix3Xd& bow, bool hangs) {
+                   const Eigen::Matrix3Xd& bow, bool rises) {
     double lost = 0, wanted = 0, made_up = 0;
     for (int e = 0; e < net.edge_count(); ++e) {
         const int a = net.edges()(0, e), b = net.edges()(1, e);
@@ -54,13 +54,9 @@ double part_of_bow(const Net& net, const Positions& positions, const Eigen::Matr
         made_up += step * step;
     }
     if (!(lost > 0 && wanted > 0 && made_up > 0)) return 0;
-    const int size = static_cast<int>(bow.size());
-    const auto dot = [size](const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& y) {
-        return dense::dot(x.data(), y.data(), size);
-    };
-    const double led = dot(moves, bow);
-    const bool is_led = led * led > k_led * k_led * dot(moves, moves) * dot(bow, bow);
-    return ((is_led ? led < 0 : hangs) ? -1 : 1) * std::sqrt(wanted / made_up);
+    const double led = ordered_dot(moves, bow);
+    const bool is_led = led * led > k_led * k_led * ordered_dot(moves, moves) * ordered_dot(bow, bow);
+    return ((is_led ? led < 0 : rises) ? -1 : 1) * std::sqrt(wanted / made_up);
 }
 
 }  // namespace chebnet

@@ -18,8 +18,8 @@ std::optional<Eigen::Vector3d> normal_of_flat(const Net& net, const Positions& p
 /// How much of a bow (3×V, along the normal) to add to moves (3×V): the c with c² = Σ_e t_e s_e² / Σ_e s_e⁴, for which
 /// c² s_e² fits t_e best, where t_e is what the moves take from the square of the length of edge e, and s_e how much
 /// higher one of its ends comes than the other by the bow. Negative where the moves lead to the other side, or lead to
-/// none and the net hangs. 0 where edges get longer on the whole.
+/// none and the energy rises along the bow. 0 where edges get longer on the whole.
 double part_of_bow(const Net& net, const Positions& positions, const Eigen::Matrix3Xd& moves,
-                   const Eigen::Matrix3Xd& bow, bool hangs);
+                   const Eigen::Matrix3Xd& bow, bool rises);
 
 }  // namespace chebnet

@@ -7,6 +7,7 @@
 
 #include "base/stopwatch.h"
 #include "linear/dense_kernels.h"
+#include "linear/ordered_dot.h"
 #include "net/measures.h"
 #include "solve/parts/bow.h"
 
@@ -39,6 +40,8 @@ constexpr int k_most_idle_steps = 5;
 constexpr double k_idle_part = 1e-13, k_idle_force = 0.9;
 // Less force than this moves nothing: a net that comes at rest need not be tried.
 constexpr double k_no_force = 1e-9;
+// Of a force, the part along a move that is more than rounding.
+constexpr double k_rising = 1e-6;
 // By how far a net has moved while a step took off this part of the force, it is told how far it has to go.
 constexpr double k_telling = 0.1;
 // The most dL of a net that a solve ends with short of rest.
@@ -110,6 +113,13 @@ void RestDescent::give_way_to(const Eigen::Vector3d& load, Eigen::Matrix3Xd& mov
     for (std::size_t v = 0; v < m_is_loose.size(); ++v)
         if (m_is_loose[v]) loads.col(static_cast<Eigen::Index>(v)).setZero();
     m_newton->give_way(loads, moves);
+}
+
+bool RestDescent::rises_along(const Positions& positions, const Eigen::Matrix3Xd& move) {
+    m_rest_energy.evaluate(positions, m_next_gradient);
+    const double slope = ordered_dot(m_next_gradient, move),
+                 force = std::sqrt(ordered_dot(m_next_gradient, m_next_gradient));
+    return slope > std::max(k_no_force / m_net->mean_length(), k_rising * force) * std::sqrt(ordered_dot(move, move));
 }
 
 bool RestDescent::project(Positions& positions) {
@@ -338,8 +348,9 @@ bool RestDescent::give_way(Positions& positions) {
                        m_newton->find_buckling(m_rest_energy.terms(), k_most_loads, bow)))
         return false;
     m_has_given_way = true;
-    const bool is_up = !normal || normal->dot(bow.rowwise().sum()) >= 0, hangs = normal && m_options.gravity > 0;
-    const double height = (is_up == hangs ? -1 : 1) * k_first_bow * m_net->mean_length();
+    if (normal && normal->dot(bow.rowwise().sum()) < 0) bow = -bow;
+    const double side = normal && rises_along(positions, bow) ? -1 : 1;
+    const double height = side * k_first_bow * m_net->mean_length();
     Positions bent = positions + height / bow.colwise().norm().maxCoeff() * bow;
     if (!project(bent)) {
         linearise(positions);

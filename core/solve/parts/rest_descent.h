@@ -54,6 +54,8 @@ public:
     /// How what is free gives way to an even load, by the energy's bound; pieces that nothing holds would fly off, and
     /// bear none.
     void give_way_to(const Eigen::Vector3d& load, Eigen::Matrix3Xd& moves) const;
+    /// Whether the energy rises along a move from there, by more than rounding tells.
+    bool rises_along(const Positions& positions, const Eigen::Matrix3Xd& move);
     /// Onto the lengths and out of corners that are too sharp. If that fails, the corners are held that were before.
     bool project(Positions& positions);
 
