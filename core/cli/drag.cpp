@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "command.h"
-#include "edit_file.h"
 #include "report.h"
 #include "solver_arguments.h"
 
@@ -134,7 +133,7 @@ Json drag_report(const DragArguments& arguments, const Editor& editor, const Sol
 
 int run_drag(const DragArguments& arguments) {
     Editor editor = open_editor(arguments.solver);
-    const auto goal = read_edit(arguments.solver.edit, editor.net().vertex_count());
+    const auto goal = open_edit(arguments.solver, editor);
     const Dragged dragged = drag(editor, goal, arguments.frames, !arguments.solver.adapts_lengths);
     const SolveReport end = with_lengths_adapted(arguments.solver, editor, dragged.frames.back()).solve;
     write_results(arguments.solver, editor, to_csv(dragged.frames));

@@ -2,7 +2,6 @@
 #include <memory>
 
 #include "command.h"
-#include "edit_file.h"
 #include "report.h"
 #include "solver_arguments.h"
 
@@ -33,7 +32,7 @@ Json solve_report(const SolverArguments& arguments, const Editor& editor, const 
 
 int run_solve(const SolverArguments& arguments) {
     Editor editor = open_editor(arguments);
-    editor.set_handles(read_edit(arguments.edit, editor.net().vertex_count()));
+    editor.set_handles(open_edit(arguments, editor));
     const AdaptedSolve adapted = with_lengths_adapted(arguments, editor, editor.solve());
     write_results(arguments, editor, to_csv(adapted.solve.trace));
     print(solve_report(arguments, editor, adapted));

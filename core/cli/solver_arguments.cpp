@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "edit/net_forces.h"
+#include "edit_file.h"
 #include "fabricate/rod_table.h"
 #include "io/file.h"
 #include "surface_argument.h"
@@ -57,15 +58,15 @@ std::string setting_fault(const std::string& word) {
     return is_setting ? "" : "wants key=value, not " + word + " (NET stands before --set)";
 }
 
-bool reads_option(const Editor& editor, std::string_view key) {
+const MethodInfo& method_of(const Editor& editor) {
     const auto is_used = [&](const MethodInfo& method) { return method.name == editor.method(); };
-    return reads(*std::ranges::find_if(method_table(), is_used), key);
+    return *std::ranges::find_if(method_table(), is_used);
 }
 
 /// Says so where the method does not read it: one line of options may be tried with every method.
 void set_option(Editor& editor, const std::string& key, const std::string& value) {
     editor.set_option(key, value);
-    if (!reads_option(editor, key))
+    if (!reads(method_of(editor), key))
         std::cerr << "chebnet: method " << editor.method() << " does not read option " << key << '\n';
 }
 
@@ -97,7 +98,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const SolverArgumen
 
 /// As with options, says so where the method does nothing with it.
 void set_guide(Editor& editor, const SolverArguments& arguments) {
-    if (!reads_option(editor, "guide_mode"))
+    if (!reads(method_of(editor), "guide_mode"))
         std::cerr << "chebnet: method " << editor.method() << " does nothing with a guide\n";
     editor.set_guide(load_guide(arguments.guide, arguments.net.repair));
 }
@@ -183,6 +184,14 @@ Editor open_editor(const SolverArguments& arguments) {
     for (const auto& [key, value] : settings_of(arguments)) set_option(editor, key, value);
     if (!arguments.guide.empty()) set_guide(editor, arguments);
     return editor;
+}
+
+std::vector<Handle> open_edit(const SolverArguments& arguments, const Editor& editor) {
+    std::vector<Handle> handles = read_edit(arguments.edit, editor.net().vertex_count());
+    const auto slides = [](const Handle& handle) { return handle.slides != k_no_axes; };
+    if (!method_of(editor).heeds.slides && std::ranges::any_of(handles, slides))
+        std::cerr << "chebnet: method " << editor.method() << " lets no handles slide: they stay where they are\n";
+    return handles;
 }
 
 AdaptedSolve with_lengths_adapted(const SolverArguments& arguments, Editor& editor, SolveReport solved) {

@@ -44,6 +44,10 @@ std::string usual_methods();
 /// The net with method and options as asked for, at rest, without handles. Throws Error.
 Editor open_editor(const SolverArguments& arguments);
 
+/// The handles of the edit file (see read_edit), for a net and method as open_editor() gives. Says so where some slide
+/// and the method lets none.
+std::vector<Handle> open_edit(const SolverArguments& arguments, const Editor& editor);
+
 /// If that was asked for and the net does not keep its lengths: the smallest scale of them with which it meets the
 /// handles, see LengthAdapter.
 AdaptedSolve with_lengths_adapted(const SolverArguments& arguments, Editor& editor, SolveReport solved);

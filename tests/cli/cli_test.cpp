@@ -1254,6 +1254,16 @@ TEST_CASE("a bad edit is refused, naming file and handle") {
     CHECK_THAT(run.err, Contains("edit.json"));
 }
 
+TEST_CASE("handles that a method lets not slide are said to stay") {
+    const Sandbox box;
+    json edit = pull_edit(0.05);
+    edit["handles"].front()["slides"] = "x";
+    box.write("slide.json", edit.dump());
+    const std::string solve = "solve " + k_recipe + " --edit slide.json --method ";
+    CHECK_THAT(box.run(solve + "li2022").err, Contains("method li2022 lets no handles slide"));
+    CHECK(box.run(solve + "equilibrium").err.empty());
+}
+
 TEST_CASE("an option that the method does not read is said to be idle, and the report has what differs from usual") {
     const Sandbox box;
     box.write("pull.json", pull_edit(0.1).dump());
