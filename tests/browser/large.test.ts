@@ -49,6 +49,26 @@ test('twenty thousand triangles around one vertex open, and are solved', async (
   expect((await script.positions()).every(Number.isFinite)).toBe(true);
 });
 
+test('a net too large to be at rest while it is edited is said to be creased, with the way out', async () => {
+  const { page } = visit;
+  await script.open({ recipe: 'sheet:vertices=13000' });
+  await script.settled();
+  // Opposite corners.
+  const last = (await script.stats()).vertices - 1;
+  await script.setHandles([{ vertex: 0 }, { vertex: last }]);
+  await script.settled();
+  const notice = page.locator('.stuck-notice');
+  expect(await notice.textContent()).toBe('');
+  const [[x, y, z], [a, b, c]] = [await placeOf(0), await placeOf(last)];
+  // Along the diagonal, until cells are rhombi of some 25 degrees.
+  await script.move(last, [x + 1.38 * (a - x), y + 1.38 * (b - y), z + 1.38 * (c - z)]);
+  await script.settled();
+  await notice.getByText(/cells, marked, have corners sharper than 30°/).waitFor();
+  await notice.getByRole('button', { name: 'Bring it to rest' }).click();
+  await expect.poll(async () => (await script.stats()).method).toBe('equilibrium');
+  await notice.getByText('keeps only its lengths').waitFor({ state: 'detached' });
+});
+
 test('of many handles a hundred are listed until more are asked for, and any that is selected', async () => {
   const { page } = visit;
   await page.evaluate(() => window.chebnet.setHandles(Array.from({ length: 350 }, (_, vertex) => ({ vertex }))));

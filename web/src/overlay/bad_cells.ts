@@ -23,6 +23,13 @@ export function badCells(net: OpenedNet, { positions, lengthScale }: FrameData, 
   };
 }
 
+/** Where an edit has made corners sharper than a limit that the method does not heed. */
+export function creasedCells(net: OpenedNet, { positions }: FrameData, limit: number): BadCells {
+  const before = sharpQuads(net, net.restPositions, limit - ROUNDING);
+  const now = [...sharpQuads(net, positions, limit - ROUNDING)];
+  return { off: new Set(), sharp: new Set(now.filter((face) => !before.has(face))) };
+}
+
 function edgesOff({ edges, restLengths }: OpenedNet, positions: Float64Array, scale: number): number[] {
   const errors = restLengths.map((length, edge) => deviation(edgeLength(positions, edges, edge) / (length * scale)));
   const worst = errors.reduce((most, each) => Math.max(most, each), 0);

@@ -11,7 +11,12 @@ export class CornerLimit {
   }
 
   /** In degrees; 0: the method heeds none. */
-  of({ method, options }: SolverSettings): number {
-    return method === METHOD_AT_REST ? Number(options['shear_limit'] ?? this.#usual) : 0;
+  of(settings: SolverSettings): number {
+    return settings.method === METHOD_AT_REST ? this.asked(settings) : 0;
+  }
+
+  /** Whether or not the method heeds it. */
+  asked({ options }: SolverSettings): number {
+    return Number(options['shear_limit'] ?? this.#usual);
   }
 }

@@ -1,6 +1,8 @@
 /** Where the net does not do what was asked of it: a solve ended without a shape in which all edges have their length, or a
- *  hand was held back. Why, and the ways out; it stays for as long as that is so, or until it is dismissed. Also what came of
- *  one of these ways: edges that have grown, for as long as they are so. */
+ *  hand was held back, or a net that is too large to be at rest while it is edited is creased. Why, and the ways out; it stays
+ *  for as long as that is so, or until it is dismissed. Also what came of one of these ways: edges that have grown, for as long
+ *  as they are so. */
+import { METHOD_AT_REST, usualMethod } from '../document/defaults';
 import type { ChebnetDocument, HandleData } from '../document/document';
 import type { HistoryView } from '../document/undo';
 import { make, makeButton, setText } from '../elements/dom';
@@ -9,7 +11,7 @@ import type { Choice } from '../handles/commands';
 import { unlocked } from '../handles/selection';
 import { apart } from '../language/numbers';
 import { panelWords } from '../language/panels';
-import { type BadCells, badCells } from './bad_cells';
+import { type BadCells, badCells, creasedCells } from './bad_cells';
 import { placeClear } from './clear_place';
 import { CornerLimit } from './corner_limit';
 import { GoodPlaces } from './good_places';
@@ -33,7 +35,7 @@ const MOST_MARKS = 500;
 const BEGINNING = { present: 0, forgotten: 0 };
 const NONE_BAD: BadCells = { off: new Set(), sharp: new Set() };
 
-type Standing = 'good' | 'stuck' | 'short' | 'grown' | 'growing';
+type Standing = 'good' | 'stuck' | 'creased' | 'short' | 'grown' | 'growing';
 
 export class StuckNotice implements Panel {
   // In the page from the start: screen readers announce changes of what is there.
@@ -45,6 +47,7 @@ export class StuckNotice implements Panel {
   readonly #soften: HTMLButtonElement;
   readonly #grow: HTMLButtonElement;
   readonly #widen: HTMLButtonElement;
+  readonly #rest: HTMLButtonElement;
   readonly #stop: HTMLButtonElement;
   readonly #lengthsBack: HTMLButtonElement;
   readonly #dismiss: HTMLButtonElement;
@@ -70,18 +73,19 @@ export class StuckNotice implements Panel {
   constructor(events: PanelEvents, failed: (error: unknown) => void) {
     this.#events = events;
     this.#failed = failed;
-    const { back, soften, grow, widen, stop, lengthsBack } = panelWords.stuck;
+    const { back, soften, grow, widen, rest, stop, lengthsBack } = panelWords.stuck;
     this.#back = makeButton(back, () => events.goTo(this.#lastGood!));
     this.#soften = makeButton(soften, () => events.handles.change(this.#candidates, { weight: SOFT }));
     this.#grow = makeButton(grow, () => this.#growEdges().catch(this.#failed));
     this.#widen = makeButton(widen, () => events.moveWhole());
+    this.#rest = makeButton(rest, () => this.#bringToRest());
     this.#stop = makeButton(stop, () => events.cancel());
     this.#lengthsBack = makeButton(lengthsBack, () => this.#takeLengthsBack());
     this.#dismiss = makeDismiss(() => this.#putAway());
     const ways = make(
       'div',
       { class: 'buttons' },
-      ...[this.#back, this.#soften, this.#grow, this.#widen, this.#stop, this.#lengthsBack],
+      ...[this.#back, this.#soften, this.#grow, this.#widen, this.#rest, this.#stop, this.#lengthsBack],
     );
     this.#line = make('div', { class: 'message' }, make('div', {}, this.#words, ways), this.#dismiss);
   }
@@ -130,13 +134,25 @@ export class StuckNotice implements Panel {
   /** The cells to blame, if the net did not come to a good shape. */
   #mark(): void {
     const [net, frame, before] = [this.#net, this.#frame, this.#bad];
-    const mayBeBad = net && frame && (hasLostLengths(frame, net) || mayBeSharp(frame));
-    this.#bad = mayBeBad ? badCells(net, frame, this.#limit) : NONE_BAD;
+    this.#bad = net && frame ? this.#badOf(net, frame) : NONE_BAD;
     const cells = [...new Set([...this.#bad.off, ...this.#bad.sharp])].slice(0, MOST_MARKS);
     if (net && (cells.length > 0 || before !== NONE_BAD))
       this.#events.mark(
         cells.map((face) => [...net.faceVertices.subarray(net.faceStart[face], net.faceStart[face + 1])]),
       );
+  }
+
+  #badOf(net: OpenedNet, frame: FrameData): BadCells {
+    if (!hasLostLengths(frame, net) && this.#isTooLargeToRest)
+      return creasedCells(net, frame, this.#cornerLimit.asked(this.#document!));
+    return hasLostLengths(frame, net) || mayBeSharp(frame) ? badCells(net, frame, this.#limit) : NONE_BAD;
+  }
+
+  /** Whether it is for its size that the method keeps lengths alone. */
+  get #isTooLargeToRest(): boolean {
+    if (this.#document === null) return false;
+    const { method, net } = this.#document;
+    return method !== METHOD_AT_REST && method === usualMethod(net);
   }
 
   /** Of corners, in degrees, for the method that heeds one. */
@@ -153,7 +169,9 @@ export class StuckNotice implements Panel {
   #show(): void {
     const standing = this.#standing;
     const isAsked = standing === 'stuck' || standing === 'short';
-    setHidden(this.#back, standing !== 'stuck' || !this.#history?.canUndo || this.#lastGood === undefined);
+    const isBad = standing === 'stuck' || standing === 'creased';
+    setHidden(this.#back, !isBad || !this.#history?.canUndo || this.#lastGood === undefined);
+    setHidden(this.#rest, standing !== 'creased');
     setHidden(this.#soften, standing !== 'stuck' || this.#candidates.length === 0);
     setHidden(this.#grow, !isAsked || (standing === 'stuck' && this.#worst === undefined));
     setHidden(this.#widen, standing !== 'stuck' || this.#document?.locality === undefined);
@@ -173,7 +191,8 @@ export class StuckNotice implements Panel {
   get #standing(): Standing {
     if (this.#isGrowing) return 'growing';
     if (this.#frame === null || this.#net === null) return 'good';
-    if (hasLostLengths(this.#frame, this.#net) || this.#bad.sharp.size > 0) return 'stuck';
+    if (hasLostLengths(this.#frame, this.#net)) return 'stuck';
+    if (this.#bad.sharp.size > 0) return this.#isTooLargeToRest ? 'creased' : 'stuck';
     if (this.#frame.fellShort) return 'short';
     return this.#scale === this.#grown?.to ? 'grown' : 'good';
   }
@@ -223,6 +242,11 @@ export class StuckNotice implements Panel {
     if (this.#frame) this.#frame = { ...this.#frame, fellShort: false };
   }
 
+  #bringToRest(): void {
+    const { initialisation, options } = this.#document!;
+    this.#events.setBehaviour({ method: METHOD_AT_REST, initialisation, options });
+  }
+
   #putAway(): void {
     this.#dismissed = this.#words.textContent;
     this.#show();
@@ -235,7 +259,9 @@ export class StuckNotice implements Panel {
   }
 
   #reason(standing: Standing): string {
-    const { fellShort, grown, shrunk, leftSo, noLength, noShape, tooSharp, unreachable, tooLocal } = panelWords.stuck;
+    const { creased, fellShort, grown, shrunk, leftSo, noLength, noShape, tooSharp, unreachable, tooLocal } =
+      panelWords.stuck;
+    if (standing === 'creased') return creased(this.#bad.sharp.size, this.#cornerLimit.asked(this.#document!));
     if (standing !== 'grown' && this.#hopeless === this.#history?.revision) return noLength;
     if (standing === 'short') return fellShort(this.#isAtLimit ? this.#limit : null);
     if (standing === 'grown') return (this.#scale > 1 ? grown : shrunk)(percentOf(this.#scale));
