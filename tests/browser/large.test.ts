@@ -63,7 +63,7 @@ test('a net too large to be at rest while it is edited is said to be creased, wi
   // Along the diagonal, until cells are rhombi of some 25 degrees.
   await script.move(last, [x + 1.38 * (a - x), y + 1.38 * (b - y), z + 1.38 * (c - z)]);
   await script.settled();
-  await notice.getByText(/cells, marked, have corners sharper than 30°/).waitFor();
+  await notice.getByText(/Cells with corners sharper than 30°: [1-9]/).waitFor();
   await notice.getByRole('button', { name: 'Bring it to rest' }).click();
   await expect.poll(async () => (await script.stats()).method).toBe('equilibrium');
   await notice.getByText('keeps only its lengths').waitFor({ state: 'detached' });

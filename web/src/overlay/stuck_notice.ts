@@ -9,7 +9,7 @@ import { make, makeButton, setText } from '../elements/dom';
 import { setHidden, showLine } from '../elements/leave';
 import type { Choice } from '../handles/commands';
 import { unlocked } from '../handles/selection';
-import { apart } from '../language/numbers';
+import { apart, count } from '../language/numbers';
 import { panelWords } from '../language/panels';
 import { type BadCells, badCells, creasedCells } from './bad_cells';
 import { placeClear } from './clear_place';
@@ -261,7 +261,7 @@ export class StuckNotice implements Panel {
   #reason(standing: Standing): string {
     const { creased, fellShort, grown, shrunk, leftSo, noLength, noShape, tooSharp, unreachable, tooLocal } =
       panelWords.stuck;
-    if (standing === 'creased') return creased(this.#bad.sharp.size, this.#cornerLimit.asked(this.#document!));
+    if (standing === 'creased') return creased(count(this.#bad.sharp.size), this.#cornerLimit.asked(this.#document!));
     if (standing !== 'grown' && this.#hopeless === this.#history?.revision) return noLength;
     if (standing === 'short') return fellShort(this.#isAtLimit ? this.#limit : null);
     if (standing === 'grown') return (this.#scale > 1 ? grown : shrunk)(percentOf(this.#scale));

@@ -626,8 +626,8 @@ export const panels = {
     growing: (percent: string) => `How little must edges grow? Now trying ${percent} %.`,
     stop: 'Stop',
     /** `limit`: in degrees. */
-    creased: (cells: number, limit: number) =>
-      `A net this large keeps only its lengths while it is edited: ${cells === 1 ? 'the marked cell has a corner' : `${cells} cells, marked, have corners`} sharper than ${limit}°.`,
+    creased: (cells: string, limit: number) =>
+      `A net this large keeps only its lengths while it is edited. Cells with corners sharper than ${limit}°: ${cells}.`,
     /** `limit`: in degrees, if corners are at it; null: none is. */
     fellShort: (limit: number | null) =>
       `With edges of this length${limit === null ? '' : ` and no corner sharper than ${limit}°`} the net reaches no farther.`,

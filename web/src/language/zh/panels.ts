@@ -799,7 +799,7 @@ export const panels: Widened<typeof en> = {
     rest: '使其静止（较慢）',
     growing: (percent) => `边最少要变长多少？正在尝试 ${percent}%。`,
     stop: '停止',
-    creased: (cells, limit) => `这么大的网在编辑时只保持边长：标出的 ${cells} 个格子有小于 ${limit}° 的角。`,
+    creased: (cells, limit) => `这么大的网在编辑时只保持边长，有 ${cells} 个格子的角小于 ${limit}°。`,
     fellShort: (limit) => `以现在的边长${limit === null ? '' : `，且没有小于 ${limit}° 的角`}，网够不到那么远。`,
     noLength: '边长增至四倍也到不了那里。',
     grown: (percent) => `边长增加了 ${percent}%。`,
