@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "change/change.h"
 #include "change/coarsen.h"
 #include "change/refine.h"
 #include "csv_cells.h"
@@ -208,6 +209,41 @@ TEST_CASE("Every whole edge of a net that was cut is of a rod, and no edge from 
     }
     CHECK(whole > 10'000);
     CHECK(rims > 1000);
+}
+
+TEST_CASE("What is a rod of a net that a border has cut is one also where the net is cut apart beside it") {
+    int cuts = 0;
+    for (const char* const name : {"hypar", "hemisphere"}) {
+        const Surface surface = make_own_surface(name);
+        const SurfaceTree tree(surface);
+        for (const int cells : {60, 100, 150}) {
+            DrapeOptions options = suggested_drape(surface, tree, cells);
+            options.direction = {1, 1, 0};
+            options.border = DrapeOptions::Border::cut;
+            const Net net = drape(surface, tree, options).net;
+            const Topology topology(net);
+            const std::vector<bool> before = rod_edges(net, topology, options.length);
+            for (const std::vector<int>& line : topology.net_lines()) {
+                ChangePlace place;
+                for (std::size_t k = 1; k < line.size(); ++k)
+                    if (const int e = topology.edge_between(line[k - 1], line[k]); net.edge_face_counts()[e] == 2)
+                        place.edges.push_back(e);
+                if (place.edges.empty()) continue;
+                const ChangedMesh changed = find_change("cut").make(net, place);
+                const Net parts(changed.mesh.positions, changed.mesh.faces, RestLengths::own);
+                const std::vector<bool> after = rod_edges(parts, Topology(parts), options.length);
+                int misread = 0;
+                for (int e = 0; e < parts.edge_count(); ++e) {
+                    const int a = changed.origins[parts.edges()(0, e)], b = changed.origins[parts.edges()(1, e)];
+                    misread += after[e] != before[topology.edge_between(a, b)] ? 1 : 0;
+                }
+                INFO(name << " of " << cells << " cells, cut from vertex " << line.front() << " to " << line.back());
+                CHECK(misread == 0);
+                ++cuts;
+            }
+        }
+    }
+    CHECK(cuts > 100);
 }
 
 TEST_CASE("Edges that have no length in common leave every net line a rod, also along the border") {
