@@ -23,17 +23,6 @@ constexpr double k_exact = 1e-9;
 // Radians: what makes a rod turn by more, though there are fewer rims then, is no reading as long as there is another.
 constexpr double k_much_bent = std::numbers::pi / 4;
 
-/// V: the corners of cells, for certain. The end of a rod has no other edge between two faces.
-std::vector<bool> corners_of_cells(const Net& net) {
-    std::vector<int> between(static_cast<std::size_t>(net.vertex_count()));
-    for (int e = 0; e < net.edge_count(); ++e)
-        if (net.edge_face_counts()[e] == 2)
-            for (int side = 0; side < 2; ++side) ++between[net.edges()(side, e)];
-    std::vector<bool> is_corner(between.size());
-    for (std::size_t v = 0; v < between.size(); ++v) is_corner[v] = between[v] > 1;
-    return is_corner;
-}
-
 /// Which sides of a face are rims: none, one or two.
 struct Reading {
     std::array<int, 2> rims{k_none, k_none};
@@ -314,6 +303,16 @@ private:
 
 std::vector<int> cell_sides(const Net& net, const Topology& topology, double length) {
     return CellSides(net, topology, length).run();
+}
+
+std::vector<bool> corners_of_cells(const Net& net) {
+    std::vector<int> between(static_cast<std::size_t>(net.vertex_count()));
+    for (int e = 0; e < net.edge_count(); ++e)
+        if (net.edge_face_counts()[e] == 2)
+            for (int side = 0; side < 2; ++side) ++between[net.edges()(side, e)];
+    std::vector<bool> is_corner(between.size());
+    for (std::size_t v = 0; v < between.size(); ++v) is_corner[v] = between[v] > 1;
+    return is_corner;
 }
 
 double whole_edge_tolerance(const Net& net, double length) {

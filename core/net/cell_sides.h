@@ -25,6 +25,9 @@ inline constexpr int k_rim = -1;
 /// of the others what is as long as L.
 std::vector<int> cell_sides(const Net& net, const Topology& topology, double length);
 
+/// V, where faces lie so: the corners of cells, for certain. The end of a rod has no other edge between two faces.
+std::vector<bool> corners_of_cells(const Net& net);
+
 /// How far whole edges are from the length L with others, as a part of it, by those that no border can have cut or,
 /// where each may be cut, by those that are nearly as long: a billionth where a net was laid, up to k_whole_edge where
 /// it was edited.

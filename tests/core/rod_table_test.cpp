@@ -246,6 +246,49 @@ TEST_CASE("What is a rod of a net that a border has cut is one also where the ne
     CHECK(cuts > 100);
 }
 
+TEST_CASE("Rims are of no rod in a ribbon about as wide as an edge is long, though nothing says that length") {
+    int narrow = 0;
+    for (const double width : {0.9, 1.1, 1.3, 1.5, 1.8, 2.1, 2.4, 2.8}) {
+        const Surface ribbon(samples::quads(49, 5, false, false, [&](int i, int j) {
+            return Eigen::Vector3d(12 * (i / 48. - 0.5), width * (j / 4. - 0.5), 0);
+        }));
+        const SurfaceTree tree(ribbon);
+        for (int degrees = 5; degrees < 90; degrees += 8) {
+            DrapeOptions options;
+            options.length = 1;
+            options.border = DrapeOptions::Border::cut;
+            options.direction = {std::cos(degrees * k_degree), std::sin(degrees * k_degree), 0};
+            const Net net = drape(ribbon, tree, options).net;
+            const Topology topology(net);
+            INFO(width << " wide, " << degrees << " degrees");
+            CHECK(rods(net, topology) == rods(net, topology, options.length));
+            narrow += shared_length(net) ? 0 : 1;
+        }
+    }
+    CHECK(narrow > 20);
+}
+
+TEST_CASE("Net lines along the border of a strip of two lengths stay rods, also where triangles end it") {
+    // Two rows of rectangles, their long sides along the strip, and in each row a triangle behind the last one.
+    Positions x = Positions::Zero(3, 16);
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 5; ++column) x.col(5 * row + column) << 1.3 * column, row, 0;
+    x.col(15) << 6, 1, 0;
+    Faces faces;
+    for (int row = 0; row < 2; ++row)
+        for (int column = 0; column < 4; ++column) {
+            const int corner = 5 * row + column;
+            faces.add({corner, corner + 1, corner + 6, corner + 5});
+        }
+    faces.add({4, 15, 9});
+    faces.add({9, 15, 14});
+    const Net net(x, faces, RestLengths::own);
+    const Topology topology(net);
+    REQUIRE_FALSE(shared_length(net));
+    CHECK_FALSE(is_cut(net, topology));
+    CHECK(rods(net, topology) == topology.net_lines(InwardCorners::pass));
+}
+
 TEST_CASE("Edges that have no length in common leave every net line a rod, also along the border") {
     std::mt19937 random(3);  // NOLINT(cert-msc51-cpp): the same mesh each time
     const Net even = samples::patch(5, 4);
