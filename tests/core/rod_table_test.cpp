@@ -211,6 +211,24 @@ TEST_CASE("Every whole edge of a net that was cut is of a rod, and no edge from 
     CHECK(rims > 1000);
 }
 
+TEST_CASE("A side that is as long as whole edges is of a rod where another may be the rim, though less square") {
+    // A sliver along a whole edge, joined to a cut cell by a rod that ends 0.085 behind it.
+    Positions x = Positions::Zero(3, 5);
+    x.col(1) << 1, 0, 0;
+    x.col(2) << 0.085 * std::cos(85 * k_degree), 0.085 * std::sin(85 * k_degree), 0;
+    x.col(3) << -0.9, 0, 0;
+    x.col(4) << -0.9, 0.2, 0;
+    Faces faces;
+    faces.add({0, 1, 2});
+    faces.add({3, 0, 2, 4});
+    const Net net(x, faces, RestLengths::own);
+    const Topology topology(net);
+    REQUIRE(net.rest_lengths()[topology.edge_between(1, 2)] < 1);
+    const std::vector<bool> is_rod = rod_edges(net, topology, 1);
+    CHECK(is_rod[topology.edge_between(0, 1)]);
+    CHECK_FALSE(is_rod[topology.edge_between(1, 2)]);
+}
+
 TEST_CASE("What is a rod of a net that a border has cut is one also where the net is cut apart beside it") {
     int cuts = 0;
     for (const char* const name : {"hypar", "hemisphere"}) {
