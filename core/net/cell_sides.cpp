@@ -23,26 +23,20 @@ constexpr double k_exact = 1e-9;
 // Radians: what makes a rod turn by more, though there are fewer rims then, is no reading as long as there is another.
 constexpr double k_much_bent = std::numbers::pi / 4;
 
-/// V: the corners of cells, for certain. The end of a rod has no other edge between two faces.
-std::vector<bool> corners_of_cells(const Net& net) {
-    std::vector<int> between(static_cast<std::size_t>(net.vertex_count()));
-    for (int e = 0; e < net.edge_count(); ++e)
-        if (net.edge_face_counts()[e] == 2)
-            for (int side = 0; side < 2; ++side) ++between[net.edges()(side, e)];
-    std::vector<bool> is_corner(between.size());
-    for (std::size_t v = 0; v < between.size(); ++v) is_corner[v] = between[v] > 1;
-    return is_corner;
-}
-
 /// Which sides of a face are rims: none, one or two.
 struct Reading {
     std::array<int, 2> rims{k_none, k_none};
-    double turn = 0;  ///< radians, by which one of its rods turns most
+    int whole_rims = 0;  ///< as long as L, which only chance makes of what a border cuts
+    double turn = 0;     ///< radians, by which one of its rods turns most
+    double turns = 0;    ///< and all together: readings may share the rod that turns most
+    double shear = 0;    ///< radians, of corners whose rods nothing is known to go on from
 
     bool is_rim(int side) const { return rims[0] == side || rims[1] == side; }
     int rim_count() const { return static_cast<int>(rims[0] != k_none) + static_cast<int>(rims[1] != k_none); }
     bool operator<(const Reading& other) const {
-        const auto rank = [](const Reading& r) { return std::tuple(r.turn > k_much_bent, r.rim_count(), r.turn); };
+        const auto rank = [](const Reading& r) {
+            return std::tuple(r.turn > k_much_bent, r.rim_count(), r.whole_rims, r.turn, r.turns, r.shear);
+        };
         return rank(*this) < rank(other);
     }
 };
@@ -123,7 +117,8 @@ private:
         const auto consider = [&](int rim, int other) {
             Reading reading{.rims = {rim, other}};
             if (!is_possible(f, reading)) return;
-            reading.turn = largest_turn(f, reading);
+            for (const int k : {rim, other}) reading.whole_rims += k != k_none && is_whole(edge(f, k)) ? 1 : 0;
+            add_turns(f, reading);
             possible.push_back(reading);
         };
         for (int k = 0; k < count(f); ++k) {
@@ -217,25 +212,29 @@ private:
     // ----------------------------------------------------------------------------------------- how it goes on
 
     /// Of the sides on the boundary that are taken for rods.
-    double largest_turn(int f, const Reading& reading) const {
-        double turn = 0;
+    void add_turns(int f, Reading& reading) const {
+        const auto add = [&](int corner, int side) {
+            const std::optional<double> turn = turn_at(f, corner, side, reading);
+            reading.turn = std::max(reading.turn, turn.value_or(0));
+            reading.turns += turn.value_or(0);
+            if (!turn) reading.shear += std::abs(std::numbers::pi / 2 - corner_angle(f, corner));
+        };
         for (int k = 0; k < count(f); ++k) {
             if (reading.is_rim(k) || is_between(edge(f, k))) continue;
-            if (!is_rim(f, k - 1, reading)) turn = std::max(turn, turn_at(f, k, k - 1, reading));
-            if (!is_rim(f, k + 1, reading)) turn = std::max(turn, turn_at(f, k + 1, k + 1, reading));
+            if (!is_rim(f, k - 1, reading)) add(k, k - 1);
+            if (!is_rim(f, k + 1, reading)) add(k + 1, k + 1);
         }
-        return turn;
     }
 
     /// At a corner between two rods: by how much it differs from what the face beyond one of them lets expect, so that
     /// the rods of both faces go on straight there, or as they do at the other end of that side; or from what the next
-    /// corner of the cell does.
-    double turn_at(int f, int corner, int side, const Reading& reading) const {
+    /// corner of the cell does. Nothing where that is not known.
+    std::optional<double> turn_at(int f, int corner, int side, const Reading& reading) const {
         const double angle = corner_angle(f, corner);
         if (const std::optional<double> expected = corner_beside(f, corner, side)) return std::abs(angle - *expected);
         if (!is_rim(f, corner + 1, reading)) return std::abs(std::numbers::pi - angle - corner_angle(f, corner + 1));
         if (!is_rim(f, corner - 2, reading)) return std::abs(std::numbers::pi - angle - corner_angle(f, corner - 1));
-        return 0;
+        return std::nullopt;
     }
 
     /// What the face beyond a side that ends at a corner lets expect there; nothing where its own rods are not certain.
@@ -304,6 +303,16 @@ private:
 
 std::vector<int> cell_sides(const Net& net, const Topology& topology, double length) {
     return CellSides(net, topology, length).run();
+}
+
+std::vector<bool> corners_of_cells(const Net& net) {
+    std::vector<int> between(static_cast<std::size_t>(net.vertex_count()));
+    for (int e = 0; e < net.edge_count(); ++e)
+        if (net.edge_face_counts()[e] == 2)
+            for (int side = 0; side < 2; ++side) ++between[net.edges()(side, e)];
+    std::vector<bool> is_corner(between.size());
+    for (std::size_t v = 0; v < between.size(); ++v) is_corner[v] = between[v] > 1;
+    return is_corner;
 }
 
 double whole_edge_tolerance(const Net& net, double length) {

@@ -32,6 +32,39 @@ bool has_whole_quad(const Net& net, const Topology& topology, double length) {
     return false;
 }
 
+/// Whether rods cross at several inner vertices that no edge joins, and all end at the border behind.
+bool cross_apart(const Net& net, const Topology& topology) {
+    for (int e = 0; e < net.edge_count(); ++e)
+        if (net.edge_face_counts()[e] == 2 &&
+            topology.is_boundary(net.edges()(0, e)) == topology.is_boundary(net.edges()(1, e)))
+            return false;
+    int crossings = 0;
+    for (int v = 0; v < net.vertex_count(); ++v) {
+        if (topology.is_singular(v)) return false;
+        crossings += topology.is_boundary(v) ? 0 : 1;
+    }
+    return crossings > 1;
+}
+
+/// Whether a net has the lengths of a narrow one that a border has cut, hardly by chance: none between two faces is
+/// longer than L, or shorter where no border can have cut it, of which there are several unless rods cross apart; and
+/// all that are as long are of rods.
+bool has_lengths_of_cut_rods(const Net& net, const Topology& topology, double length) {
+    const std::vector<bool> is_corner = corners_of_cells(net), is_rod = rod_edges(net, topology, length);
+    const double tolerance = whole_edge_tolerance(net, length);
+    int uncut = 0;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const double step = net.rest_lengths()[e] / length - 1;
+        const bool is_whole = std::abs(step) <= tolerance;
+        if (is_whole && !is_rod[e]) return false;
+        if (net.edge_face_counts()[e] != 2) continue;
+        const bool is_uncut = is_corner[net.edges()(0, e)] && is_corner[net.edges()(1, e)];
+        if (!is_whole && (is_uncut || step > 0)) return false;
+        uncut += is_uncut ? 1 : 0;
+    }
+    return uncut > 1 || cross_apart(net, topology);
+}
+
 /// So that a closed line does not begin within a rod that ends elsewhere.
 void begin_at_rim(std::vector<int>& line, std::vector<bool>& is_rod) {
     const auto rim = std::find(is_rod.begin(), is_rod.end(), false);
@@ -98,7 +131,9 @@ std::vector<bool> closed_rods(const Topology& topology, const std::vector<std::v
 bool is_cut(const Net& net, const Topology& topology) {
     if (net.is_chebyshev()) return false;
     const double length = whole_length(net);
-    if (!shared_length(net) && !has_whole_quad(net, topology, length)) return false;
+    if (!shared_length(net) && !has_whole_quad(net, topology, length) &&
+        !has_lengths_of_cut_rods(net, topology, length))
+        return false;
     const auto is_whole = [&](int edge) { return is_as_long(net.rest_lengths()[edge], length); };
     for (int e = 0; e < net.edge_count(); ++e)
         if (!is_whole(e) && !is_at_border(net, topology, e)) return false;

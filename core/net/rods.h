@@ -27,7 +27,9 @@ std::vector<bool> closed_rods(const Topology& topology, const std::vector<std::v
 double whole_length(const Net& net);
 
 /// Whether a border has cut the net: its edges share a length, but for some that end at the border, where some of its
-/// faces are no quads, or lines of whole edges end with a shorter one. Where most are cut, a quad is whole.
+/// faces are no quads, or lines of whole edges end with a shorter one. Where most are cut a quad is whole or, in a
+/// narrow net, all edges that no border can have cut are, several, or rods cross at several places that no edge joins;
+/// and none between two faces is longer.
 bool is_cut(const Net& net, const Topology& topology);
 
 }  // namespace chebnet

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "change/change.h"
 #include "change/coarsen.h"
 #include "change/refine.h"
 #include "csv_cells.h"
@@ -208,6 +209,102 @@ TEST_CASE("Every whole edge of a net that was cut is of a rod, and no edge from 
     }
     CHECK(whole > 10'000);
     CHECK(rims > 1000);
+}
+
+TEST_CASE("A side that is as long as whole edges is of a rod where another may be the rim, though less square") {
+    // A sliver along a whole edge, joined to a cut cell by a rod that ends 0.085 behind it.
+    Positions x = Positions::Zero(3, 5);
+    x.col(1) << 1, 0, 0;
+    x.col(2) << 0.085 * std::cos(85 * k_degree), 0.085 * std::sin(85 * k_degree), 0;
+    x.col(3) << -0.9, 0, 0;
+    x.col(4) << -0.9, 0.2, 0;
+    Faces faces;
+    faces.add({0, 1, 2});
+    faces.add({3, 0, 2, 4});
+    const Net net(x, faces, RestLengths::own);
+    const Topology topology(net);
+    REQUIRE(net.rest_lengths()[topology.edge_between(1, 2)] < 1);
+    const std::vector<bool> is_rod = rod_edges(net, topology, 1);
+    CHECK(is_rod[topology.edge_between(0, 1)]);
+    CHECK_FALSE(is_rod[topology.edge_between(1, 2)]);
+}
+
+TEST_CASE("What is a rod of a net that a border has cut is one also where the net is cut apart beside it") {
+    int cuts = 0;
+    for (const char* const name : {"hypar", "hemisphere"}) {
+        const Surface surface = make_own_surface(name);
+        const SurfaceTree tree(surface);
+        for (const int cells : {60, 100, 150}) {
+            DrapeOptions options = suggested_drape(surface, tree, cells);
+            options.direction = {1, 1, 0};
+            options.border = DrapeOptions::Border::cut;
+            const Net net = drape(surface, tree, options).net;
+            const Topology topology(net);
+            const std::vector<bool> before = rod_edges(net, topology, options.length);
+            for (const std::vector<int>& line : topology.net_lines()) {
+                ChangePlace place;
+                for (std::size_t k = 1; k < line.size(); ++k)
+                    if (const int e = topology.edge_between(line[k - 1], line[k]); net.edge_face_counts()[e] == 2)
+                        place.edges.push_back(e);
+                if (place.edges.empty()) continue;
+                const ChangedMesh changed = find_change("cut").make(net, place);
+                const Net parts(changed.mesh.positions, changed.mesh.faces, RestLengths::own);
+                const std::vector<bool> after = rod_edges(parts, Topology(parts), options.length);
+                int misread = 0;
+                for (int e = 0; e < parts.edge_count(); ++e) {
+                    const int a = changed.origins[parts.edges()(0, e)], b = changed.origins[parts.edges()(1, e)];
+                    misread += after[e] != before[topology.edge_between(a, b)] ? 1 : 0;
+                }
+                INFO(name << " of " << cells << " cells, cut from vertex " << line.front() << " to " << line.back());
+                CHECK(misread == 0);
+                ++cuts;
+            }
+        }
+    }
+    CHECK(cuts > 100);
+}
+
+TEST_CASE("Rims are of no rod in a ribbon about as wide as an edge is long, though nothing says that length") {
+    int narrow = 0;
+    for (const double width : {0.9, 1.1, 1.3, 1.5, 1.8, 2.1, 2.4, 2.8}) {
+        const Surface ribbon(samples::quads(49, 5, false, false, [&](int i, int j) {
+            return Eigen::Vector3d(12 * (i / 48. - 0.5), width * (j / 4. - 0.5), 0);
+        }));
+        const SurfaceTree tree(ribbon);
+        for (int degrees = 5; degrees < 90; degrees += 8) {
+            DrapeOptions options;
+            options.length = 1;
+            options.border = DrapeOptions::Border::cut;
+            options.direction = {std::cos(degrees * k_degree), std::sin(degrees * k_degree), 0};
+            const Net net = drape(ribbon, tree, options).net;
+            const Topology topology(net);
+            INFO(width << " wide, " << degrees << " degrees");
+            CHECK(rods(net, topology) == rods(net, topology, options.length));
+            narrow += shared_length(net) ? 0 : 1;
+        }
+    }
+    CHECK(narrow > 20);
+}
+
+TEST_CASE("Net lines along the border of a strip of two lengths stay rods, also where triangles end it") {
+    // Two rows of rectangles, their long sides along the strip, and in each row a triangle behind the last one.
+    Positions x = Positions::Zero(3, 16);
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 5; ++column) x.col(5 * row + column) << 1.3 * column, row, 0;
+    x.col(15) << 6, 1, 0;
+    Faces faces;
+    for (int row = 0; row < 2; ++row)
+        for (int column = 0; column < 4; ++column) {
+            const int corner = 5 * row + column;
+            faces.add({corner, corner + 1, corner + 6, corner + 5});
+        }
+    faces.add({4, 15, 9});
+    faces.add({9, 15, 14});
+    const Net net(x, faces, RestLengths::own);
+    const Topology topology(net);
+    REQUIRE_FALSE(shared_length(net));
+    CHECK_FALSE(is_cut(net, topology));
+    CHECK(rods(net, topology) == topology.net_lines(InwardCorners::pass));
 }
 
 TEST_CASE("Edges that have no length in common leave every net line a rod, also along the border") {

@@ -1,15 +1,18 @@
 // What net lines and corners are like where nothing acts on them, and how stiff, in method `equilibrium`.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "change/change.h"
 #include "edit/editor.h"
 #include "first_order.h"
 #include "net/families.h"
 #include "net/measures.h"
 #include "sample_nets.h"
+#include "shapes/shapes.h"
 
 using namespace chebnet;
 
@@ -69,6 +72,47 @@ TEST_CASE("Net lines of a patch and of a torus are of two families, as warp and 
             CHECK(family(0) != family(1));
         }
     }
+}
+
+TEST_CASE("Warp stays warp, and weft weft, in every piece of a net that is cut apart") {
+    for (const char* const recipe : {"sheet:vertices=100", "vault:vertices=150", "dome:vertices=150"}) {
+        CAPTURE(recipe);
+        const Net whole = make_shape(recipe).net;
+        const std::vector<int> families = edge_families(whole).value();
+        const Topology topology(whole);
+        const std::vector<std::vector<int>> lines = topology.net_lines();
+        int several = 0;
+        for (std::size_t first = 0; first < lines.size(); ++first)
+            for (std::size_t second = 0; second < first; second += 3) {
+                ChangePlace place;
+                for (const std::size_t i : {first, second})
+                    for (std::size_t k = 1; k < lines[i].size(); ++k)
+                        if (const int e = topology.edge_between(lines[i][k - 1], lines[i][k]);
+                            whole.edge_face_counts()[e] == 2)
+                            place.edges.push_back(e);
+                if (place.edges.empty()) continue;
+                const ChangedMesh cut = find_change("cut").make(whole, place);
+                const Net parts(cut.mesh.positions, cut.mesh.faces, RestLengths::own);
+                several += Topology(parts).component_count() > 2 ? 1 : 0;
+                const std::vector<int> after = edge_families(parts).value();
+                int swapped = 0;
+                for (int e = 0; e < parts.edge_count(); ++e) {
+                    const int a = cut.origins[parts.edges()(0, e)], b = cut.origins[parts.edges()(1, e)];
+                    swapped += after[e] != families[topology.edge_between(a, b)] ? 1 : 0;
+                }
+                CHECK(swapped == 0);
+            }
+        CHECK(several > 10);
+    }
+}
+
+TEST_CASE("The first edge is of the warp, also where faces begin with a side across it") {
+    const Net net = samples::patch(4, 3);
+    Faces turned = net.faces();
+    for (int f = 0; f < turned.size(); ++f)
+        std::rotate(turned.vertices.begin() + 4 * f, turned.vertices.begin() + 4 * f + 1,
+                    turned.vertices.begin() + 4 * f + 4);
+    CHECK(edge_families(Net(net.rest_positions(), turned)) == edge_families(net));
 }
 
 TEST_CASE("Around a vertex of three edges, and beside a triangle, there are no two families") {

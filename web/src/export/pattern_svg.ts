@@ -28,6 +28,8 @@ const SHIFT = 0.22;
 /** The sine of an angle, times two lengths. */
 const STRAIGHT = 1e-9;
 const LETTER = 0.45;
+/** Of a seam: as many as a cell has sides stand in it beside each other. */
+const SEAM_LETTER = 0.3;
 const NUMBER = 0.7;
 const END_RADIUS = 0.1;
 const THIN = 0.02;
@@ -107,8 +109,8 @@ function numbers({ pattern: { pieces, rows: height }, edgeMm }: Drawing): string
   return `<g id="pieces" font-family="sans-serif" font-weight="bold" font-size="${mm(NUMBER * edgeMm)}">${labels.join('')}</g>`;
 }
 
-/** One letter for both sides of a seam that does not lie closed, in a cell midway; beside it an arrow, which points to the
- *  same end on both sides; dots at the ends. */
+/** One letter for both sides of a seam that does not lie closed, beside an edge midway, half-way into its cell; at that edge
+ *  an arrow, which points to the same end on both sides; dots at the ends. */
 function seamLabels(drawing: Drawing): string[] {
   const { loops, restPositions, meanLength, pattern, edgeMm } = drawing;
   const seams = seamsOf(loops, restPositions, meanLength).filter(isOpen);
@@ -116,7 +118,7 @@ function seamLabels(drawing: Drawing): string[] {
   const cells = cellsAtSeams(seams, drawing);
   const labels = seams.flatMap((sides, number) => sides.map((side) => label(side, letters(number))));
   return [
-    `<g id="seams" fill="${SEAM_COLOUR}" font-family="sans-serif" font-size="${mm(LETTER * edgeMm)}">${labels.join('')}</g>`,
+    `<g id="seams" fill="${SEAM_COLOUR}" font-family="sans-serif" font-size="${mm(SEAM_LETTER * edgeMm)}">${labels.join('')}</g>`,
   ];
 
   /** Whether its sides do not lie on each other. */
@@ -129,7 +131,10 @@ function seamLabels(drawing: Drawing): string[] {
   function label(side: readonly number[], letter: string): string {
     const middle = (side.length - 1) >> 1;
     const [from, to] = [side[middle]!, side[middle + 1]!];
-    const [x, y] = onPaper(...cells.get(sideKey(from, to))!, pattern.rows, edgeMm);
+    const cell = cells.get(sideKey(from, to))!;
+    const beside = (axis: 0 | 1) =>
+      (cell[axis] + (pattern.places[2 * from + axis]! + pattern.places[2 * to + axis]!) / 2) / 2;
+    const [x, y] = onPaper(beside(0), beside(1), pattern.rows, edgeMm);
     const text = `<text x="${x}" y="${y}" text-anchor="middle" dy="0.35em">${letter}</text>`;
     return dot(side[0]!) + dot(side.at(-1)!) + arrow(from, to) + text;
   }
