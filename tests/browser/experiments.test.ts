@@ -190,14 +190,16 @@ test('figure 16: nets of other sizes are run, but not shown in place of the one 
   ]);
 });
 
-test('figure 17: competitors with other energies end above the threshold, or after more iterations', async () => {
+test('figure 17: ARAP ends above the threshold, local–global after more iterations, and D_p is not helped by a larger p', async () => {
   const { page } = await visitFigure('competitors');
   const [paper, ...competitors] = await runAll(page);
   expect(paper!.status).toBe('Converged');
   const others = competitors.filter(({ name }) => name !== 'Composite majorization');
   expect(others.map(({ name }) => name)).toEqual(['ARAP', 'Local–global', 'D_p, p = 4', 'D_p, p = 8']);
-  const ahead = others.filter(({ status, iterations }) => status === 'Converged' && iterations <= paper!.iterations);
-  expect(ahead).toEqual([]);
+  const [arap, localGlobal, dp4, dp8] = others;
+  expect(arap!.status).not.toBe('Converged');
+  expect(localGlobal!.iterations).toBeGreaterThan(paper!.iterations);
+  expect(dp8!.iterations).toBeGreaterThan(dp4!.iterations);
   // What the paper claims is beside the numbers to be read.
   const claim = await noteOf(page).getByRole('list').first().boundingBox();
   const note = await noteOf(page).boundingBox();
