@@ -172,7 +172,7 @@ export const STAGES: Record<string, string> = {
 export const OPTIONS: Record<string, string> = {
   threshold: '最大 dL 低于此值即为收敛（ε3）。',
   energy_tolerance: '能量的相对变化小于此值时，一个阶段结束（ε1）。',
-  gradient_tolerance: '梯度的范数低于此值时，一个阶段结束（ε2）；dp4 和 dp8 以阈值附近的梯度大小为准。',
+  gradient_tolerance: '梯度的范数低于此值时，一个阶段结束（ε2）；p 为 4 和 8 的能量以阈值附近的梯度大小为准。',
   max_iterations: '一次求解最多迭代这么多次。',
   p_start: '边长相差较大时能量的指数。',
   p_end: '用于抹平最后偏差的指数。',
