@@ -160,7 +160,7 @@ test('a million triangles are read in steps that are shown, can be given up, and
     'Looking for defects',
     'Measuring the edges',
   ]);
-  await file.getByText(/^More curvature than one net can take/).waitFor();
+  await file.getByText(/^One uncut piece will cover it/).waitFor();
   await file.getByRole('button', { name: 'Make a net on it…' }).click();
   await draper.locator('.results .facts:not(.stale)', { hasText: 'Largest dL' }).waitFor({ timeout: 60_000 });
   await draper.getByRole('button', { name: 'Open this net' }).click();
