@@ -43,6 +43,15 @@ inline Mesh cylinder(int around, int along, double height) {
     });
 }
 
+/// Likewise from z = 0 to height, each ring turned by so many columns against the one before: slanted triangles are
+/// obtuse ones.
+inline Mesh slanted_tube(int around, int along, double slant, double height) {
+    return quads(around, along, true, false, [&](int i, int j) {
+        const double angle = 2 * std::numbers::pi * (i + slant * j) / around;
+        return Eigen::Vector3d(std::cos(angle), std::sin(angle), height * j / (along - 1));
+    });
+}
+
 inline Mesh torus(int around, int across, double large, double small) {
     return quads(around, across, true, true, [&](int i, int j) {
         const double u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * j / across;

@@ -85,12 +85,9 @@ TEST_CASE("The two borders of a tube are found whatever its triangles are") {
     std::uniform_real_distribution<double> slant_some(-3, 3), height_some(0.05, 3);
     for (int trial = 0; trial < 100; ++trial) {
         const int around = around_some(random), along = along_some(random);
-        const double slant = slant_some(random), height = height_some(random);  // slanted triangles are obtuse ones
+        const double slant = slant_some(random), height = height_some(random);
         CAPTURE(around, along, slant, height);
-        const Surface tube(samples::quads(around, along, true, false, [&](int i, int j) {
-            const double angle = 2 * std::numbers::pi * (i + slant * j) / around;
-            return Eigen::Vector3d(std::cos(angle), std::sin(angle), height * j / (along - 1));
-        }));
+        const Surface tube(samples::slanted_tube(around, along, slant, height));
         const CutLine cut = shortest_cut_between_borders(tube);
         const double slanted = 2 * std::sin(std::numbers::pi * slant / around), up = height / (along - 1);
         CHECK(length_of(tube, cut) >= height * (1 - 1e-9));

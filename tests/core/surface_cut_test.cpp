@@ -98,10 +98,7 @@ TEST_CASE("A path is no longer than any along edges, whatever the triangles") {
         const int around = around_some(random), along = along_some(random);
         const double slant = slant_some(random), height = height_some(random);
         CAPTURE(around, along, slant, height);
-        const Surface tube(samples::quads(around, along, true, false, [&](int i, int j) {
-            const double angle = 2 * std::numbers::pi * (i + slant * j) / around;
-            return Eigen::Vector3d(std::cos(angle), std::sin(angle), height * j / (along - 1));
-        }));
+        const Surface tube(samples::slanted_tube(around, along, slant, height));
         const Eigen::MatrixXd edge_ways = ways_along_edges(tube);
         for (int v = 0; v < tube.vertex_count(); ++v)
             for (int w = 0; w < tube.vertex_count(); ++w) {
