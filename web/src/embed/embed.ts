@@ -69,6 +69,6 @@ function listenToHost(script: Scripting, opened: Promise<void>): void {
     origin = event.origin === 'null' ? '*' : event.origin;
     void host.receive(event.data);
   });
-  // Later only than calls can be taken, so that what is asked at once is told of a net.
+  // Calls are taken before, too; but what is asked as soon as this is heard is to be told of a net.
   void opened.then(() => post({ chebnet: 1, event: 'ready' }));
 }
