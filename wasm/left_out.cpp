@@ -1,6 +1,7 @@
 // What chebnet_editor has in place of sources that it does without (left_out.cmake): OBJ, edge tables, flat patterns,
-// nets pushed through, handles that slide, turn together or are drawn where no way leads, localities, shapes that are
-// relaxed, surfaces, families of net lines and rods that were bent beforehand. Called, they throw the code "left_out".
+// nets pushed through, handles that slide, turn together or are drawn where no way leads, limits that give way,
+// localities, shapes that are relaxed, surfaces, families of net lines and rods that were bent beforehand. Called, they
+// throw the code "left_out".
 
 #include <memory>
 #include <optional>
@@ -25,6 +26,7 @@
 #include "solve/parts/turned_handles.h"
 #include "solve/terms/bending_term.h"
 #include "solve/terms/closeness_term.h"
+#include "solve/terms/penalty_term.h"
 
 namespace chebnet {
 
@@ -53,6 +55,7 @@ std::vector<std::vector<int>> rods(const Net&, const Topology&, std::optional<do
 std::unique_ptr<Term> make_closeness_term(const Net&, const Guide&, double, double, ClosenessTerm::Side) {
     leave_to_the_whole_core();
 }
+std::unique_ptr<Term> make_yielding_limit(const Net&, double, double) { leave_to_the_whole_core(); }
 Eigen::VectorXd heights_over(const Surface&, const SurfaceTree&, const Positions&) { leave_to_the_whole_core(); }
 std::optional<std::vector<int>> edge_families(const Net&) { leave_to_the_whole_core(); }
 void BendingTerm::bend_rest_lines(const Net&, const Positions&, double) { leave_to_the_whole_core(); }

@@ -16,6 +16,9 @@ namespace {
 // What a solve takes in hand itself is drawn by so many iterations at most, and by half of those that are left; and in
 // each step by so many, and held where that ends by as many, before the walk goes on.
 constexpr int k_most_by_hand = 100, k_most_of_a_step = 8;
+// Where so many draws after each other leave no less than this part of the way, none will lead there.
+constexpr int k_most_idle_draws = 3;
+constexpr double k_gain = 0.99;
 
 /// Whether an edge folds so much more than before that no smooth bend would fold it so. Nets that are rough as they
 /// come, as coarse animals are, may fold sharply all over.
@@ -30,11 +33,13 @@ bool folds_more(const Net& net, const Positions& before, const Positions& now) {
 
 /// What a solve knows that has taken handles in hand itself.
 struct Editor::ByHand {
-    Positions before;  // what it had come to
-    int until = 0;     // no step begins after this iteration
-    HandleWalk way;    // of the step under way
-    Positions goals;   // where that ends
-    int since = 0;     // in which iteration it began
+    Positions before;                                       // what it had come to
+    int until = 0;                                          // no step begins after this iteration
+    HandleWalk way;                                         // of the step under way
+    double left = std::numeric_limits<double>::infinity();  // the least that a step had still to go, in edge lengths
+    int idle_draws = 0;                                     // since a step had markedly less
+    Positions goals;                                        // where that ends
+    int since = 0;                                          // in which iteration it began
     struct Found {
         Status status;
         Positions positions;
@@ -70,10 +75,12 @@ bool Editor::take_in_hand(const Positions& from) {
 
 /// Pulls what is in hand, from where it stands, as far as a walk goes in a step.
 void Editor::draw_a_step() {
-    auto& [before, until, way, goals, since, found] = *m_run.by_hand;
+    auto& [before, until, way, left, idle_draws, goals, since, found] = *m_run.by_hand;
     Positions to = m_positions;
     for (int vertex : m_hand.vertices()) to.col(vertex) = m_handles[m_handle_at[vertex]].target;
     way.begin(m_positions, to, m_net->mean_length());
+    idle_draws = way.length() < k_gain * left ? 0 : idle_draws + 1;
+    left = std::min(left, way.length());
     way.go_to(way.next());
     goals = way.walked() < 1 ? Positions(m_positions + way.moves_to(way.walked(), m_positions)) : to;
     since = m_run.iterations;
@@ -96,7 +103,8 @@ bool Editor::goes_on_by_hand(SolveReport& report) {
         return true;
     }
     const bool is_held = is_net && !m_hand.holds_back(), is_stuck = report.status == Status::unreachable;
-    const bool may_draw = m_run.iterations > m_run.by_hand->since && m_run.iterations < m_run.by_hand->until;
+    const bool may_draw = m_run.iterations > m_run.by_hand->since && m_run.iterations < m_run.by_hand->until &&
+                          m_run.by_hand->idle_draws < k_most_idle_draws;
     if (is_held && is_stuck && may_draw) {
         draw_a_step();
         return true;

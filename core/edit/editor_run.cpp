@@ -270,7 +270,8 @@ Problem Editor::problem() const {
             .unit = m_unit,
             .only_nets = !m_hand.is_empty(),
             .slides = m_slides,
-            .only_walks = m_run.may_take_in_hand};
+            .only_walks = m_run.may_take_in_hand,
+            .has_walked = m_run.by_hand != nullptr};
 }
 
 /// The positions of the moment in the solver's unit. Vertices that were far handles once may be anywhere, and are taken

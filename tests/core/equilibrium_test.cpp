@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -236,6 +237,29 @@ TEST_CASE("Equilibrium: where no net keeps the limit there is still one with exa
     const SolveReport report = drag(editor, edit, 1);
     CHECK(report.status == Status::stalled);
     CHECK(report.max_deviation < 1e-6);
+}
+
+TEST_CASE("Equilibrium: where a sheet is pulled past the limit at once, its corners share what they lack") {
+    const int cells = GENERATE(8, 14), last = (cells + 1) * (cells + 1) - 1;
+    const double part = 0.98;  // of the way along edges between the two corners
+    const double possible = 2 * std::acos(part);
+    const double reach = std::sqrt(2.0) * cells;
+    Editor editor(samples::patch(cells + 1, cells + 1, 0));
+    editor.set_method("equilibrium");
+    editor.set_option("shear_limit", GENERATE("30", "60"));
+    editor.set_handles(samples::handles_at_rest(editor.net(), {0, last}));
+    const Positions& rest = editor.net().rest_positions();
+    const Eigen::Vector3d diagonal = (rest.col(last) - rest.col(0)).normalized();
+    editor.move_handle(last, rest.col(0) + part * std::sqrt(2.0) * reach * diagonal);
+    const SolveReport report = editor.solve();
+    CHECK(report.status == Status::stalled);
+    CHECK(report.max_deviation < 1e-9);
+    CHECK(corner_angle_range(editor.net(), editor.positions()).smallest > 0.95 * possible);
+    const std::vector<double> folds = fold_angles(editor.net(), editor.positions());
+    CHECK(*std::max_element(folds.begin(), folds.end()) < 1 * samples::k_degree);
+    // A limit that it can keep is kept.
+    editor.set_option("shear_limit", "20");
+    CHECK(editor.solve().status == Status::converged);
 }
 
 TEST_CASE("Equilibrium: handles that move as one rigid body take the net along") {

@@ -4,7 +4,7 @@ import { distance } from '../browser/geometry';
 import type { Visitor } from './visitor';
 import { PATIENCE, visitors } from './visitor';
 
-const { arrive, open, closeSite } = visitors();
+const { arrive, open, address: site, closeSite } = visitors();
 
 test('a link opens an experiment, which goes on by one step', async () => {
   const visitor = await arrive('#experiment=long-edges');
@@ -52,8 +52,10 @@ function placeOfCrown(visitor: Visitor) {
 test('after one visit the page opens without its server, a net can be dragged, and it can be read whose work it contains', async () => {
   const visitor = await arrive();
   await vi.waitUntil(() => visitor.run(() => navigator.serviceWorker.controller !== null), PATIENCE);
+  // The page is left first: what it was still loading would be refused, and be no fault of the visit to come.
+  await visitor.driver.goto('about:blank');
   closeSite();
-  await visitor.driver.reload();
+  await visitor.driver.goto(site());
   await visitor.waitForNet();
   const vertex = (await visitor.handles()).at(-1)!;
   const place = async () => (await visitor.positions()).subarray(3 * vertex, 3 * vertex + 3);

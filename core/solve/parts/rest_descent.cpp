@@ -85,9 +85,9 @@ bool RestDescent::has_energy_of(const Options& options) const {
 
 void RestDescent::choose_energy(const Positions& rest_shape, const Options& options, std::span<const Pull> pulls,
                                 const Guide* guide, double unit, const std::vector<bool>& weightless,
-                                CornerLimit limit) {
-    m_rest_energy.choose(*m_net, *m_topology, rest_shape, options, pulls, guide, unit, weightless);
-    m_limit = std::move(limit);
+                                RestEnergy::Limit is, CornerLimit limit) {
+    m_rest_energy.choose(*m_net, *m_topology, rest_shape, options, pulls, guide, unit, weightless, is);
+    m_limit = is == RestEnergy::Limit::is_kept ? std::move(limit) : CornerLimit();
     m_constraints.reset();
     m_has_metric = false;
 }

@@ -37,9 +37,10 @@ public:
     /// Whether an energy is chosen, which Options like these would choose again.
     bool has_energy_of(const Options& options) const;
     void forget_energy() { m_rest_energy.forget(); }
-    /// Takes another energy, see RestEnergy::choose(), and another limit of the corners.
+    /// Takes another energy, see RestEnergy::choose(), and if it is to be kept another limit of the corners.
     void choose_energy(const Positions& rest_shape, const Options& options, std::span<const Pull> pulls,
-                       const Guide* guide, double unit, const std::vector<bool>& weightless, CornerLimit limit);
+                       const Guide* guide, double unit, const std::vector<bool>& weightless, RestEnergy::Limit is,
+                       CornerLimit limit);
     void set_options(const Options& options) { m_options = options; }
     /// What it takes to make steps with these handles, and the energy's pulls at their targets. Keeps a reference to
     /// the part. Throws Error too_large where the systems for it would be. `positions`: near where it begins.

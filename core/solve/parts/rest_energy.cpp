@@ -8,6 +8,7 @@
 #include "solve/terms/bending_term.h"
 #include "solve/terms/closeness_term.h"
 #include "solve/terms/load_terms.h"
+#include "solve/terms/penalty_term.h"
 #include "solve/terms/shear_term.h"
 #include "solve/terms/tip_term.h"
 
@@ -19,6 +20,8 @@ namespace {
 constexpr double k_least_open_angle = 15 * k_degree;
 // A guide that holds, or keeps out, weighs so many times as much as one that draws.
 constexpr double k_hold = 100;
+// The weight of a limit that gives way: so much that corners share what it has to give.
+constexpr double k_yielding_limit = 10;
 
 bool is_guided(const Options& options, const Guide* guide) {
     return guide != nullptr && options.guide_mode != GuideMode::off;
@@ -68,7 +71,7 @@ bool RestEnergy::is_least_at_rest_shape(const Options& options, std::span<const 
 
 void RestEnergy::choose(const Net& net, const Topology& topology, const Positions& rest_shape, const Options& options,
                         std::span<const Pull> pulls, const Guide* guide, double unit,
-                        const std::vector<bool>& weightless) {
+                        const std::vector<bool>& weightless, Limit limit) {
     const double open_angle = std::max(options.shear_limit, k_least_open_angle);
     m_terms.clear();
     m_terms.push_back(std::make_unique<BendingTerm>(net, topology, rest_shape, options.bending_weight,
@@ -81,6 +84,7 @@ void RestEnergy::choose(const Net& net, const Topology& topology, const Position
         m_terms.push_back(
             std::make_unique<GravityTerm>(net, options.gravity, -Eigen::Vector3d::Unit(up_axis(options)), weightless));
     if (is_guided(options, guide)) m_terms.push_back(closeness(net, *guide, unit, options));
+    if (limit == Limit::gives_way) m_terms.push_back(make_yielding_limit(net, options.shear_limit, k_yielding_limit));
     if (!pulls.empty()) m_terms.push_back(std::make_unique<PullTerm>(net, pulls));
 }
 

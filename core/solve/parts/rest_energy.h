@@ -19,6 +19,10 @@ class Guide;
 /// singular vertices; its weight; closeness to a guide; the pull of soft handles.
 class RestEnergy {
 public:
+    /// What Options::shear_limit is: a constraint, which is none of the energy's, or where no net keeps it a term, by
+    /// which corners beyond it share what they lack.
+    enum class Limit { is_kept, gives_way };
+
     /// Whether both options ask for the same energy, and for the same limit of the corners.
     static bool is_the_same(const Options& a, const Options& b);
     /// Whether the rest shape is where it is least if nothing deforms it, wherever and however turned it stands.
@@ -27,7 +31,8 @@ public:
     /// Takes its terms anew. `guide`: null if there is none; `unit`: of the net, in that of the guide and of the
     /// options' lengths; `weightless`: see GravityTerm. Keeps references.
     void choose(const Net& net, const Topology& topology, const Positions& rest_shape, const Options& options,
-                std::span<const Pull> pulls, const Guide* guide, double unit, const std::vector<bool>& weightless);
+                std::span<const Pull> pulls, const Guide* guide, double unit, const std::vector<bool>& weightless,
+                Limit limit);
     /// The same pulls to other targets.
     void move_pulls(const Net& net, std::span<const Pull> pulls);
     bool is_chosen() const { return !m_terms.empty(); }

@@ -43,4 +43,8 @@ void PenaltyTerm::add_bound(QuadraticForm& form) const {
         form.add_link(pair.vertex_a, pair.vertex_b, 2 * m_weight / (pair.unit * pair.unit));
 }
 
+std::unique_ptr<Term> make_yielding_limit(const Net& net, double angle, double weight) {
+    return std::make_unique<PenaltyTerm>(shear_limit(net, angle), weight);
+}
+
 }  // namespace chebnet

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 
 #include "solve/terms/distance_constraint.h"
 #include "solve/terms/term.h"
@@ -29,5 +30,8 @@ private:
     double m_weight;
     Eigen::VectorXd m_errors;  // c at the last evaluation, zero for what does not count
 };
+
+/// Of shear_limit(), for those who may do without. Throws Error left_out in a build that does.
+std::unique_ptr<Term> make_yielding_limit(const Net& net, double angle, double weight);
 
 }  // namespace chebnet
