@@ -25,6 +25,10 @@ constexpr int k_most_drawn = 30;
 // they go straight as nets.
 constexpr double k_nearly_straight = 0.05;
 
+// The least iterations with which a walk past the limit begins. It takes half of them; should it lead nowhere, the
+// lengths alone have the others.
+constexpr int k_past_limit = 80;
+
 }  // namespace
 
 SolveReport Editor::solve(const Budget& budget) {
@@ -271,7 +275,7 @@ Problem Editor::problem() const {
             .only_nets = !m_hand.is_empty(),
             .slides = m_slides,
             .only_walks = m_run.may_take_in_hand,
-            .has_walked = m_run.by_hand != nullptr};
+            .may_pass_limit = m_run.by_hand != nullptr && m_run.iterations + k_past_limit <= m_options.max_iterations};
 }
 
 /// The positions of the moment in the solver's unit. Vertices that were far handles once may be anywhere, and are taken

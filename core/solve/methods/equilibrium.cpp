@@ -97,7 +97,7 @@ private:
     HandleWalk m_walk;  // stage 2
 
     Options m_options;
-    bool m_reachable = true, m_only_nets = false, m_only_walks = false, m_has_walked = false;
+    bool m_reachable = true, m_only_nets = false, m_only_walks = false, m_may_pass_limit = false;
     bool m_goes_home = false;     // though it is a net where it was left
     bool m_rests_at_home = true;  // where a hand last took the net with all handles at home: whether in its rest shape
     Positions m_asked;            // where the solve began, while the rest shape is being opened
@@ -109,7 +109,8 @@ private:
     bool m_was_placed = false;    // the rest shape, in this solve: a walk has begun there
     Positions m_stuck_at;         // where a walk before that ended early; empty: none did
     RestEnergy::Limit m_limit_is = RestEnergy::Limit::is_kept;
-    double m_max_deviation = 0;  // of what iterate() has left
+    bool m_was_at_limit = false;  // corners, where the last walks have led no farther
+    double m_max_deviation = 0;   // of what iterate() has left
 };
 
 void Equilibrium::prepare(const Problem& problem) {
@@ -190,7 +191,7 @@ Status Equilibrium::start(const Problem& problem, Positions& positions, const Op
     m_reachable = problem.reachable;
     m_only_nets = problem.only_nets;
     m_only_walks = problem.only_walks;
-    m_has_walked = problem.has_walked;
+    m_may_pass_limit = problem.may_pass_limit;
     m_last_net = problem.last_net != nullptr ? *problem.last_net : Positions();
     m_max_deviation = max_deviation(*m_net, positions);
     const bool is_net_as_left =
@@ -237,7 +238,8 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
     m_stage = !can_rest ? net : m_goes_home ? follow : first_stage(positions);
     if (m_stage == net && m_reachable && is_held_as_net()) return without_rest(positions);
     if (m_stage == net && m_only_nets) return Status::unreachable;
-    if (m_stage == net && can_rest && m_has_walked && begin_past_limit(positions)) return Status::running;
+    if (m_stage == net && can_rest && m_may_pass_limit && m_was_at_limit && begin_past_limit(positions))
+        return Status::running;
     if (m_stage == net) {
         const Status status = projection().start(problem(), positions, m_options);
         if (status == Status::converged && can_rest) m_stage = rest;
@@ -475,6 +477,7 @@ Status Equilibrium::find_another_net(Positions& positions) {
         return Status::running;
     }
     if (m_only_walks) {
+        m_was_at_limit = m_descent.holds_corners();
         if (m_stuck_at.cols() > 0) positions = m_stuck_at;
         return Status::unreachable;
     }
