@@ -135,7 +135,7 @@ export class StuckNotice implements Panel {
   #mark(): void {
     const [net, frame, before] = [this.#net, this.#frame, this.#bad];
     this.#bad = net && frame ? this.#badOf(net, frame) : NONE_BAD;
-    const cells = [...new Set([...this.#bad.off, ...this.#bad.sharp])].slice(0, MOST_MARKS);
+    const cells = thinnedOut([...new Set([...this.#bad.off, ...this.#bad.sharp])], MOST_MARKS);
     if (net && (cells.length > 0 || before !== NONE_BAD))
       this.#events.mark(
         cells.map((face) => [...net.faceVertices.subarray(net.faceStart[face], net.faceStart[face + 1])]),
@@ -290,6 +290,12 @@ function mayBeSharp({ status, iterations }: FrameData): boolean {
 function hasMoved({ positions, handles }: FrameData, rest: Float64Array): boolean {
   const held = new Set(handles.map(({ vertex }) => vertex));
   return positions.some((x, i) => x !== rest[i] && !held.has(Math.floor(i / 3)));
+}
+
+/** So many at most, from all over. */
+function thinnedOut(cells: readonly number[], most: number): readonly number[] {
+  if (cells.length <= most) return cells;
+  return Array.from({ length: most }, (_, i) => cells[Math.floor((i * cells.length) / most)]!);
 }
 
 /** By how much lengths differ from those of before. */
