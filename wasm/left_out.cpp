@@ -71,6 +71,7 @@ bool TangentNewton::find_buckling(std::span<const std::unique_ptr<Term>>, int, E
 bool Editor::goes_on_by_hand(SolveReport&) { return false; }
 Status Editor::status_by_hand() const { return Status::running; }
 void Editor::give_up_by_hand() {}
+bool Editor::goes_on_past_limit(Status) { return false; }
 double Editor::deviation_with_hand_at_targets() const { return 0; }
 Eigen::Vector3d Editor::goal(const Handle& handle) const { return handle.target; }
 void Editor::show_found_net() {}

@@ -6,6 +6,7 @@
 
 #include "edit/editor.h"
 #include "net/measures.h"
+#include "solve/parts/corner_limit.h"
 #include "solve/parts/handle_walk.h"
 #include "solve/parts/rest_energy.h"
 
@@ -19,6 +20,9 @@ constexpr int k_most_by_hand = 100, k_most_of_a_step = 8;
 // Where so many draws after each other leave no less than this part of the way, none will lead there.
 constexpr int k_most_idle_draws = 3;
 constexpr double k_gain = 0.99;
+// The least iterations with which a walk past the limit begins. It takes half of them; should it lead nowhere, the
+// lengths alone have the others.
+constexpr int k_past_limit = 80;
 
 /// Whether an edge folds so much more than before that no smooth bend would fold it so. Nets that are rough as they
 /// come, as coarse animals are, may fold sharply all over.
@@ -117,7 +121,7 @@ bool Editor::goes_on_by_hand(SolveReport& report) {
 }
 
 /// Where handles that were taken in hand have not arrived, or the net came out crumpled all the same, it is looked for
-/// by its lengths alone.
+/// past the limit that was in their way, or by its lengths alone.
 bool Editor::goes_on_without_hand(bool has_arrived, SolveReport& report) {
     const bool is_last = m_run.iterations >= m_options.max_iterations;
     if (has_arrived && is_last) report.status = Status::exact;
@@ -126,8 +130,23 @@ bool Editor::goes_on_without_hand(bool has_arrived, SolveReport& report) {
         return false;
     }
     if (has_arrived) m_run.by_hand->found = {report.status, m_positions, energy()};
+    m_run.limit_gives_way = may_pass_limit();
     give_up_by_hand();
-    m_unit_positions = in_unit(m_positions);
+    if (m_run.limit_gives_way) stand_at(m_net->rest_positions());
+    return true;
+}
+
+/// Whether the net that handles were drawn to has corners at the limit, and enough iterations are left.
+bool Editor::may_pass_limit() const {
+    const bool has_time = m_run.iterations + k_past_limit <= m_options.max_iterations;
+    return has_time && corner_limit(*m_net, m_options).largest_lack(m_positions) > -CornerLimit::k_kept;
+}
+
+/// From a walk past the limit, to which that gave way no more than the handles made it: it is asked for again, or where
+/// no walk leads to them even so, the lengths alone.
+bool Editor::goes_on_past_limit(Status status) {
+    m_run.limit_gives_way = false;
+    if (status == Status::unreachable) stand_at(m_run.by_hand->before);
     return true;
 }
 

@@ -193,6 +193,8 @@ private:
     bool goes_on_by_hand(SolveReport& report);
     bool goes_on_without_hand(bool has_arrived, SolveReport& report);
     void give_up_by_hand();
+    bool may_pass_limit() const;
+    bool goes_on_past_limit(Status status);
     void stand_at(const Positions& positions);
     void show_found_net();
     void take_better_net(SolveReport& report);
@@ -236,6 +238,7 @@ private:
     struct Run {
         bool may_take_in_hand = false;    // whether it may take handles in hand itself
         std::shared_ptr<ByHand> by_hand;  // what it knows since it has; null: it has not
+        bool limit_gives_way = false;     // to a walk: none within it has led to where handles are to be
         Positions net_before;             // the last net before it
         Positions begun_in_place;         // where it began with a net that had all handles in place; or empty
         bool stops_short = false;  // what is in hand walks as far as the handles' distances let it, not to the end

@@ -25,10 +25,6 @@ constexpr int k_most_drawn = 30;
 // they go straight as nets.
 constexpr double k_nearly_straight = 0.05;
 
-// The least iterations with which a walk past the limit begins. It takes half of them; should it lead nowhere, the
-// lengths alone have the others.
-constexpr int k_past_limit = 80;
-
 }  // namespace
 
 SolveReport Editor::solve(const Budget& budget) {
@@ -274,8 +270,8 @@ Problem Editor::problem() const {
             .unit = m_unit,
             .only_nets = !m_hand.is_empty(),
             .slides = m_slides,
-            .only_walks = m_run.may_take_in_hand,
-            .may_pass_limit = m_run.by_hand != nullptr && m_run.iterations + k_past_limit <= m_options.max_iterations};
+            .only_walks = m_run.may_take_in_hand || m_run.limit_gives_way,
+            .limit_gives_way = m_run.limit_gives_way};
 }
 
 /// The positions of the moment in the solver's unit. Vertices that were far handles once may be anywhere, and are taken

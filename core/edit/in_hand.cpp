@@ -67,6 +67,7 @@ void Editor::hold_otherwise() {
 /// kept, in all of them; where it has come near all the same, it is held again, once; and where even that is no net,
 /// because of other handles, it is moved as by move_handle().
 bool Editor::goes_on_otherwise(Status status) {
+    if (m_run.limit_gives_way) return goes_on_past_limit(status);
     if (m_hand.is_empty()) {
         if (!(m_run.may_take_in_hand && m_run.reachable && status == Status::unreachable)) return false;
         take_in_hand();

@@ -42,8 +42,7 @@ public:
     /// nothing is to be done. What is not reachable gets the most even shape and ends with `unreachable`. If only nets
     /// are asked for, fixed vertices stand where the net has come on the way to their places, and the solve ends with
     /// `unreachable` at the last net where none leads on, or before it begins where none is known. If only walks are
-    /// asked for, a solve whose walks from net to net lead no farther ends with `unreachable` there; where it then
-    /// `may_pass_limit`, a limit that was in the way gives way to another walk.
+    /// asked for, a solve whose walks from net to net lead no farther ends with `unreachable` there.
     virtual Status start(const Problem& problem, Positions& positions, const Options& options) = 0;
 
     /// One iteration: moves free vertices only, or if only nets are asked for, all, and fills `row` (all but iteration

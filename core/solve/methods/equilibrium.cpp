@@ -75,8 +75,6 @@ private:
     void add_bow(const Positions& x, Eigen::Matrix3Xd& moves);
     Status find_another_net(Positions& positions);
     bool begin_at_rest_shape(double nearer_than);
-    bool begin_past_limit(const Positions& positions);
-    bool keep_limit_again(const Positions& positions);
     void enter_rest(const Positions& positions);
     void follow_lone_pulls(Positions& positions);
     Status relax(Positions& positions, TraceRow& row);
@@ -97,7 +95,7 @@ private:
     HandleWalk m_walk;  // stage 2
 
     Options m_options;
-    bool m_reachable = true, m_only_nets = false, m_only_walks = false, m_may_pass_limit = false;
+    bool m_reachable = true, m_only_nets = false, m_only_walks = false;
     bool m_goes_home = false;     // though it is a net where it was left
     bool m_rests_at_home = true;  // where a hand last took the net with all handles at home: whether in its rest shape
     Positions m_asked;            // where the solve began, while the rest shape is being opened
@@ -109,8 +107,7 @@ private:
     bool m_was_placed = false;    // the rest shape, in this solve: a walk has begun there
     Positions m_stuck_at;         // where a walk before that ended early; empty: none did
     RestEnergy::Limit m_limit_is = RestEnergy::Limit::is_kept;
-    bool m_was_at_limit = false;  // corners, where the last walks have led no farther
-    double m_max_deviation = 0;   // of what iterate() has left
+    double m_max_deviation = 0;  // of what iterate() has left
 };
 
 void Equilibrium::prepare(const Problem& problem) {
@@ -179,19 +176,19 @@ Status Equilibrium::start(const Problem& problem, Positions& positions, const Op
     // Whether it has to be opened, and how exactly that is done, depends on both.
     const bool same_rest_shape =
         m_options.shear_limit == options.shear_limit && m_options.threshold == options.threshold;
-    const bool same_energy = same_guide && same_rest_shape && !m_pulls_changed &&
-                             m_limit_is == RestEnergy::Limit::is_kept && m_descent.has_energy_of(options);
+    const auto limit_is = problem.limit_gives_way ? RestEnergy::Limit::gives_way : RestEnergy::Limit::is_kept;
+    const bool same_energy =
+        same_guide && same_rest_shape && !m_pulls_changed && m_limit_is == limit_is && m_descent.has_energy_of(options);
     if (!same_energy)
         m_descent.forget_energy();  // also where handles out of reach keep this solve from choosing another
     if (!same_rest_shape) m_rest_shape.forget();
     m_options = options;
-    m_limit_is = RestEnergy::Limit::is_kept;
+    m_limit_is = limit_is;
     m_descent.set_options(options);
     const bool is_taken = !m_only_nets && problem.only_nets, is_let_go = m_only_nets && !problem.only_nets;
     m_reachable = problem.reachable;
     m_only_nets = problem.only_nets;
     m_only_walks = problem.only_walks;
-    m_may_pass_limit = problem.may_pass_limit;
     m_last_net = problem.last_net != nullptr ? *problem.last_net : Positions();
     m_max_deviation = max_deviation(*m_net, positions);
     const bool is_net_as_left =
@@ -238,8 +235,6 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
     m_stage = !can_rest ? net : m_goes_home ? follow : first_stage(positions);
     if (m_stage == net && m_reachable && is_held_as_net()) return without_rest(positions);
     if (m_stage == net && m_only_nets) return Status::unreachable;
-    if (m_stage == net && can_rest && m_may_pass_limit && m_was_at_limit && begin_past_limit(positions))
-        return Status::running;
     if (m_stage == net) {
         const Status status = projection().start(problem(), positions, m_options);
         if (status == Status::converged && can_rest) m_stage = rest;
@@ -477,7 +472,6 @@ Status Equilibrium::find_another_net(Positions& positions) {
         return Status::running;
     }
     if (m_only_walks) {
-        m_was_at_limit = m_descent.holds_corners();
         if (m_stuck_at.cols() > 0) positions = m_stuck_at;
         return Status::unreachable;
     }
@@ -488,7 +482,6 @@ Status Equilibrium::find_another_net(Positions& positions) {
         return Status::running;
     }
     if (m_stuck_at.cols() > 0) positions = m_stuck_at;
-    if (m_limit_is == RestEnergy::Limit::gives_way) keep_limit_again(positions);
     m_stage = net;
     const Status status = projection().start(problem(), positions, m_options);
     m_max_deviation = max_deviation(*m_net, positions);
@@ -512,26 +505,6 @@ bool Equilibrium::begin_at_rest_shape(double nearer_than) {
     m_walk.forget_moves(m_net->vertex_count());
     m_walk.begin(m_result, m_walk.end(), m_net->mean_length());
     return true;
-}
-
-/// Where the limit lets no walk through it gives way to one from the rest shape, until that has come to rest.
-bool Equilibrium::begin_past_limit(const Positions& positions) {
-    if (m_options.shear_limit == 0) return false;
-    m_result = positions;
-    m_walk.begin(m_result, positions, m_net->mean_length());
-    m_began_as_net = false;
-    m_limit_is = RestEnergy::Limit::gives_way;
-    if (begin_at_rest_shape(std::numeric_limits<double>::infinity())) {
-        m_stage = follow;
-        return true;
-    }
-    keep_limit_again(positions);
-    return false;
-}
-
-bool Equilibrium::keep_limit_again(const Positions& positions) {
-    m_limit_is = RestEnergy::Limit::is_kept;
-    return prepare_energy(positions, false);
 }
 
 void Equilibrium::enter_rest(const Positions& positions) {
@@ -568,10 +541,7 @@ void Equilibrium::follow_lone_pulls(Positions& positions) {
 Status Equilibrium::relax(Positions& positions, TraceRow& row) {
     const Status status = m_descent.relax(positions, row);
     m_max_deviation = m_descent.deviation();
-    if (m_limit_is == RestEnergy::Limit::is_kept || status == Status::running) return status;
-    if (!keep_limit_again(positions)) return without_rest(positions);
-    enter_rest(positions);
-    return Status::running;
+    return status;
 }
 
 std::optional<RestState> Equilibrium::rest_state() const {
@@ -607,8 +577,7 @@ constexpr auto k_equilibrium_options =
 ///      the handles' way as smoothly as the energy's bound allows; they are projected onto the lengths, and make one
 ///      step of stage 3. So a jump ends where a drag does. Where the way leads no farther, and where it is shorter for
 ///      handles that jump, it begins at the rest shape; so it does once a hand has let go of handles that are home.
-///      Where all of that fails, the limit may be more than the handles leave: it gives way to a walk from the rest
-///      shape, as a term that pushes back (PenaltyTerm), until there is rest, and is then asked for again;
+///      Where the limit is to give way, it is a term that pushes back (PenaltyTerm);
 ///   3  Newton steps for the energy among nets with these lengths and no sharper corners, until the gradient that the
 ///      constraints leave is below Options::rest_tolerance (RestDescent). A flat net that would lose energy by bending
 ///      out of its plane, towards which nothing pushes it to first order, is not at rest: it leaves the plane.

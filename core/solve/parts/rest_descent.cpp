@@ -135,11 +135,6 @@ bool RestDescent::project(Positions& positions, double threshold) {
     return m_constraints->project(positions, threshold);
 }
 
-bool RestDescent::holds_corners() const {
-    const std::vector<double>& held = m_constraints->held();
-    return std::any_of(held.begin(), held.end(), [](double distance) { return distance > 0; });
-}
-
 void RestDescent::begin_solve() {
     m_steps = 0;
     m_has_given_way = false;

@@ -47,8 +47,6 @@ public:
     void prepare(const FreePart& part, const std::vector<bool>& is_free, std::span<const Slide> slides,
                  std::span<const Pull> pulls, const Positions& positions);
     bool is_prepared() const { return m_constraints && m_newton; }
-    /// Whether any corner is held at its limit.
-    bool holds_corners() const;
     /// What steps of before have left does not count in those that follow.
     void forget_multipliers() { m_newton->forget_multipliers(); }
 
