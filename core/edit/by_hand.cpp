@@ -4,6 +4,7 @@
 #include <numeric>
 #include <optional>
 
+#include "base/angle.h"
 #include "edit/editor.h"
 #include "net/measures.h"
 #include "solve/parts/corner_limit.h"
@@ -23,6 +24,7 @@ constexpr double k_gain = 0.99;
 // The least iterations with which a walk past the limit begins. It takes half of them; should it lead nowhere, the
 // lengths alone have the others.
 constexpr int k_past_limit = 80;
+constexpr double k_at_limit = 0.5 * k_degree;
 
 /// Whether an edge folds so much more than before that no smooth bend would fold it so. Nets that are rough as they
 /// come, as coarse animals are, may fold sharply all over.
@@ -139,7 +141,7 @@ bool Editor::goes_on_without_hand(bool has_arrived, SolveReport& report) {
 /// Whether the net that handles were drawn to has corners at the limit, and enough iterations are left.
 bool Editor::may_pass_limit() const {
     const bool has_time = m_run.iterations + k_past_limit <= m_options.max_iterations;
-    return has_time && corner_limit(*m_net, m_options).largest_lack(m_positions) > -CornerLimit::k_kept;
+    return has_time && !corner_limit(*m_net, m_options, k_at_limit).is_kept(m_positions);
 }
 
 /// From a walk past the limit, to which that gave way no more than the handles made it: it is asked for again, or where

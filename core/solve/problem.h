@@ -26,7 +26,7 @@ struct Problem {
     bool only_nets = false;                        ///< see Method::start(); for methods that go from net to net
     std::span<const Slide> slides = {};            ///< of free vertices, distinct; for methods that know slides
     bool only_walks = false;                       ///< see Method::start(); for methods that go from net to net
-    bool limit_gives_way = false;                  ///< Options::shear_limit, as little as handles leave; likewise
+    bool limit_gives_way = false;                  ///< Options::shear_limit, as little as handles make it; likewise
 };
 
 }  // namespace chebnet
