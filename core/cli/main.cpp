@@ -16,11 +16,11 @@ int run(int argc, char** argv) {
     CLI::App program("Editor for discrete Chebyshev nets: nets of edges that keep their length.", "chebnet");
     program.set_version_flag("--version", "chebnet " CHEBNET_VERSION);
     program.require_subcommand(0, 1);  // that one is there is checked below, so that a misspelt one is named
-    program.footer(
-        "A NET is a file (" + titles_read("or") +
-        "), or a recipe such as dome or vault:vertices=4000 (see chebnet make --list).\n"
-        "Exit codes: 0 done, every edge with its length, also where it ends exact or stalled: not at rest, or with\n"
-        "corners sharper than the limit, which is told; 1 not reached, 2 bad usage or input.");
+    program.footer("A NET is a file (" + titles_read("or") +
+                   "), or a recipe such as dome or vault:vertices=4000 (see chebnet make --list).\n"
+                   "Exit codes: 0 done, every edge with its length, also where it ends exact, max_iterations or\n"
+                   "stalled: not at rest, or with corners sharper than the limit, which is told; 1 not reached, 2 bad "
+                   "usage or input.");
     const Command commands[] = {add_info(program),   add_make(program),  add_convert(program),
                                 add_solve(program),  add_drag(program),  add_equalize(program),
                                 add_change(program), add_drape(program), add_remesh(program)};

@@ -30,6 +30,9 @@ namespace {
 
 const std::map<std::string, RemeshOptions::Border> k_borders = option_words(k_remesh_borders);
 
+// Of a surface, what is as good as all of it.
+constexpr double k_covered = 0.99;
+
 struct RemeshArguments {
     SurfaceArgument surface;
     NetOutput output;
@@ -118,13 +121,24 @@ Json remesh_report(const Remesh& made, const DrapeReport& measured, const Singul
     return report;
 }
 
+const char* smoother_way(const RemeshOptions& options) {
+    if (options.crease > 0) return "a net without --crease";
+    return options.border == RemeshOptions::Border::fitting ? "more cells" : "--border fitting";
+}
+
 /// Where a border that is held leads to a net that is longer than there is room for, it lies in folds.
-void tell_crumpled(int edges, RemeshOptions::Border border) {
+void tell_crumpled(int edges, const RemeshOptions& options) {
     if (edges == 0) return;
     std::cerr << "chebnet: every edge has its length, but the net is crumpled: at " << edges
               << (edges == 1 ? " edge" : " edges") << " it folds by more than 60 degrees where the surface does not; "
-              << (border == RemeshOptions::Border::fitting ? "more cells" : "--border fitting")
-              << " often lies smoother\n";
+              << smoother_way(options) << " often lies smoother\n";
+}
+
+/// Net lines that follow creases may lead to less than all of the surface.
+void tell_bare(double coverage, const RemeshOptions& options) {
+    if (options.crease == 0 || coverage >= k_covered) return;
+    std::cerr << "chebnet: the net covers " << number_text(100 * coverage, 3)
+              << " % of the surface; without --crease it often covers more\n";
 }
 
 int run_remesh(const RemeshArguments& arguments) {
@@ -149,7 +163,8 @@ int run_remesh(const RemeshArguments& arguments) {
            {"net", remesh_report(made, measured, options.singular)},
            {"milliseconds", milliseconds}});
     if (made.sharp_quads > 0) tell_sharp_quads(made.sharp_quads, options.smallest_angle);
-    tell_crumpled(crumpled_edges(*guide, made.net), options.border);
+    tell_crumpled(crumpled_edges(*guide, made.net), options);
+    tell_bare(measured.coverage, options);
     return k_success;
 }
 

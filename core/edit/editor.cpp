@@ -46,7 +46,12 @@ void Editor::move(Handle& handle, const Eigen::Vector3d& target) {
 }
 
 Holds Editor::holds() const {
-    return {m_handles, m_handle_at, m_hand, m_region ? &*m_region : nullptr, m_method->heeds().slides};
+    return {m_handles,
+            m_handle_at,
+            m_hand,
+            m_region ? &*m_region : nullptr,
+            m_method->heeds().slides,
+            m_options.gravity * m_net->edge_count()};
 }
 
 const Handle* Editor::find_handle(int vertex) const {

@@ -45,7 +45,9 @@ std::vector<int> Holds::fixed_vertices(std::span<const TautVertex> taut) const {
 
 Pull Holds::pull_of(const Handle& handle, const Eigen::Vector3d& target, double mean_length) const {
     if (!handle.is_exact()) return {handle.vertex, target, handle.weight};
-    return {handle.vertex, target, k_weight_in_hand, k_nearly_there * mean_length};
+    // Beyond where it yields it pulls with a force of 2 k_nearly_there times this, see PullTerm.
+    const double in_hand = k_weight_in_hand + weight / k_nearly_there;
+    return {handle.vertex, target, in_hand, k_nearly_there * mean_length};
 }
 
 std::vector<Pull> Holds::pulls(double unit, double mean_length, const Eigen::Matrix3Xd& targets) const {

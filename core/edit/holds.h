@@ -25,6 +25,7 @@ struct Holds {
     const Hand& hand;
     const Region* region;  ///< that may move; null: everything may
     bool can_slide;        ///< whether the method heeds slides
+    double weight;         ///< of the whole net, as a force over the mean length: what is in hand can bear all of it
 
     /// Null: no handle holds the vertex.
     const Handle* handle(int vertex) const;

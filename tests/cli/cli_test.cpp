@@ -1042,6 +1042,20 @@ TEST_CASE("remesh tells of a net that lies in folds, and of the way out, which l
     CHECK(fitting.json().at("net").at("folds_over_60_degrees") == 0);
 }
 
+TEST_CASE("remesh tells where a net that follows creases leaves much bare, and of the way out, which covers it") {
+    const Sandbox box;
+    // A hip roof.
+    box.write("hip.obj",
+              "v 0 0 0\nv 12 0 0\nv 12 8 0\nv 0 8 0\nv 3 4 3\nv 9 4 3\n"
+              "f 1 2 6\nf 1 6 5\nf 2 3 6\nf 3 4 5\nf 3 5 6\nf 4 1 5\n");
+    const Run along = box.run("remesh hip.obj --cells 600 --crease 30"),
+              without = box.run("remesh hip.obj --cells 600");
+    CHECK(along.json().at("net").at("coverage") < 0.99);
+    CHECK_THAT(along.err, Contains(" % of the surface; without --crease it often covers more"));
+    CHECK(without.json().at("net").at("coverage") > 0.99);
+    CHECK(without.err.empty());
+}
+
 TEST_CASE("remesh takes wishes for singular vertices, and reports which were kept") {
     const Sandbox box;
     const json pebble = box.run("remesh --surface pebble --cells 300 --out net.obj").json().at("net");

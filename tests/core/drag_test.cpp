@@ -2,6 +2,8 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "edit/editor.h"
 #include "net/measures.h"
@@ -116,6 +118,34 @@ TEST_CASE("Drag: beyond reach it is held back, as far as the net goes, and comes
     CHECK(!taken.editor.holds_back());
     CHECK(taken.now() == taken.crown);
     CHECK(taken.distance(taken.editor.positions(), rest) < 0.02);
+}
+
+TEST_CASE("Drag: hands that hold all of a heavy net carry it, also where they are held back") {
+    const std::string gravity = GENERATE("0.3", "1");
+    const Net net = make_shape("dome:vertices=900").net;
+    std::vector<int> feet;
+    for (const double x : {-1, 1})
+        for (const double y : {-1, 1}) {
+            Eigen::Index foot = 0;
+            (x * net.rest_positions().row(0) + y * net.rest_positions().row(1)).maxCoeff(&foot);
+            feet.push_back(static_cast<int>(foot));
+        }
+    Editor editor(net);
+    editor.set_handles(samples::handles_at_rest(net, feet));
+    editor.set_option("gravity", gravity);
+    const int frames = 4;
+    for (int frame = 1; frame <= frames; ++frame) {
+        for (const int foot : feet) {
+            Eigen::Vector3d target = net.rest_positions().col(foot);
+            target.head<2>() *= 1 - 0.06 * frame / frames;
+            editor.drag_handle(foot, target);
+        }
+        editor.solve();
+        // It hangs by its feet, and is not longer than it is wide.
+        const Eigen::Vector3d size = editor.positions().rowwise().maxCoeff() - editor.positions().rowwise().minCoeff();
+        CHECK(size.z() < size.x());
+        CHECK(editor.positions().col(feet[0]).z() > -net.mean_length());
+    }
 }
 
 TEST_CASE("Drag: a jump beyond reach ends where a slow hand does") {
