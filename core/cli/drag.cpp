@@ -139,6 +139,7 @@ int run_drag(const DragArguments& arguments) {
     write_results(arguments.solver, editor, to_csv(dragged.frames));
     print(drag_report(arguments, editor, end, dragged));
     tell_sharp_quads(editor, end);
+    tell_crumpled(editor, end, "handles that move less, or soft ones, may lead to a smoother one");
     // A frame on the way need not have come to rest.
     const auto is_net = [&](const SolveReport& frame) { return frame.max_deviation < editor.options().threshold; };
     const bool stays_net = arguments.solver.adapts_lengths || std::ranges::all_of(dragged.frames, is_net);

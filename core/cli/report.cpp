@@ -116,6 +116,21 @@ void tell_sharp_quads(const Editor& editor, const SolveReport& end) {
     if (count > 0) tell_sharp_quads(count, editor.options().shear_limit);
 }
 
+void tell_crumpled(const Editor& editor, const SolveReport& end, const char* what_helps) {
+    if (!has_lengths(editor, end)) return;
+    const std::vector<double> before = fold_angles(editor.net(), editor.net().rest_positions()),
+                              now = fold_angles(editor.net(), editor.positions());
+    int count = 0;
+    for (std::size_t k = 0; k < now.size(); ++k) count += now[k] > before[k] + k_fold ? 1 : 0;
+    if (count == 0) return;
+    std::cerr << "chebnet: every edge has its length, but the net is crumpled: at " << count
+              << (count == 1 ? " edge" : " edges") << " it folds by 60 degrees more than before the edit; "
+              << (editor.method() == k_default_method
+                      ? std::string(what_helps)
+                      : "--method " + std::string(k_default_method) + " often leads to a smoother one")
+              << '\n';
+}
+
 void print(const Json& report) {
     // A file name need not be UTF-8, JSON must be.
     std::cout << report.dump(2, ' ', false, Json::error_handler_t::replace) << std::endl;

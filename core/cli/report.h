@@ -34,6 +34,9 @@ void tell_sharp_quads(int count, double limit);
 /// Likewise after a solve that ended so, if there are any and the method keeps to a limit: where handles leave no other
 /// net, or edges are so unlike that they allow no more.
 void tell_sharp_quads(const Editor& editor, const SolveReport& end);
+/// Says on standard error at how many edges an edit has crumpled the net, if it has, and what may help: another
+/// method, or by `equilibrium` this.
+void tell_crumpled(const Editor& editor, const SolveReport& end, const char* what_helps);
 
 /// Writes to standard output; numbers that are not finite become null. Throws Error file_access.
 void print(const Json& report);

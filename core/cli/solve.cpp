@@ -37,6 +37,7 @@ int run_solve(const SolverArguments& arguments) {
     write_results(arguments, editor, to_csv(adapted.solve.trace));
     print(solve_report(arguments, editor, adapted));
     tell_sharp_quads(editor, adapted.solve);
+    tell_crumpled(editor, adapted.solve, "chebnet drag, which goes there in steps, may lead to a smoother one");
     return has_lengths(editor, adapted.solve) ? k_success : k_not_converged;
 }
 

@@ -201,6 +201,19 @@ TEST_CASE("info measures lengths against their mean") {
     CHECK(info.at("boundary_loops") == 1);
 }
 
+TEST_CASE("Of an edit that crumples a net it is said at how many edges, and what may help") {
+    const Sandbox box;
+    box.write("edit.json",
+              R"({"handles": [{"vertex": 0, "target": [-5, -5, 0]}, {"vertex": 224, "target": [-3, -3, 0]}]})");
+    const std::string solve = "solve sheet:vertices=225 --edit edit.json --method ";
+    const Run by_lengths = box.run(solve + "projection"), at_rest = box.run(solve + "equilibrium");
+    CHECK(by_lengths.exit_code == 0);
+    CHECK_THAT(by_lengths.err, Contains("crumpled") && Contains("--method equilibrium"));
+    CHECK(by_lengths.json().at("folds_over_60_degrees") > 0);
+    CHECK(at_rest.err.empty());
+    CHECK(at_rest.json().at("folds_over_60_degrees") == 0);
+}
+
 TEST_CASE("solve reports, and writes the net, its edges and the trace") {
     const Sandbox box;
     const json edit = pull_edit(0.2);
