@@ -201,6 +201,7 @@ private:
     void take_back_net(SolveReport& report);
     double deviation_with_hand_at_targets() const;
     bool has_all_in_place() const;
+    bool has_net_in_place() const;
     Status status_by_hand() const;
     double energy() const;
     void empty_hand();

@@ -67,8 +67,7 @@ void Editor::begin_run(SolveReport& report) {
     // What is pressed together would come out crumpled where it is made a net by its lengths alone.
     m_run.may_take_in_hand = m_hand.is_empty() && !m_region;
     m_run.net_before = m_last_net;
-    const bool is_solved = has_all_in_place() && max_deviation(*m_net, m_positions) < m_options.threshold;
-    if (is_solved) m_run.begun_in_place = m_positions;
+    if (has_net_in_place()) m_run.begun_in_place = m_positions;
     report.status = begin_solve(report.trace);
 }
 
@@ -86,8 +85,8 @@ void Editor::run(const Budget& budget, const Stopwatch& watch, bool has_moved, S
         }
         const bool is_spent = report.iterations >= budget.iterations || watch.milliseconds() >= budget.milliseconds;
         if (is_spent && report.iterations > 0) {
-            // Before the method has moved it, what is in hand leaves no net behind it.
-            if (has_moved || m_hand.is_empty()) store_positions();
+            // Before the method has moved it, what is in hand leaves no net behind it, nor does what is held straight.
+            if (has_moved || (m_hand.is_empty() && !has_net_in_place())) store_positions();
             return;
         }
         make_iteration(watch, report);
@@ -161,6 +160,10 @@ bool Editor::has_all_in_place() const {
     return std::all_of(m_handles.begin(), m_handles.end(), [&](const Handle& handle) {
         return !handle.is_exact() || handle.holds_at(m_positions.col(handle.vertex));
     });
+}
+
+bool Editor::has_net_in_place() const {
+    return has_all_in_place() && max_deviation(*m_net, m_positions) < m_options.threshold;
 }
 
 /// Adds what the initialisation does to the trace.
