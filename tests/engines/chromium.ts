@@ -18,8 +18,9 @@ export async function startChromium(): Promise<Engine> {
     const session = await page.context().newCDPSession(page);
     return {
       goto: async (url) => {
-        // Before the page stores anything: what it may take is looked up twice a minute only.
-        await session.send('Storage.overrideQuotaForOrigin', { origin: new URL(url).origin, quotaSize: STORAGE });
+        // Before the page stores anything: what it may take is looked up twice a minute only. An empty page has no origin.
+        const { origin } = new URL(url);
+        if (origin !== 'null') await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: STORAGE });
         await page.goto(url);
       },
       reload: async () => void (await page.reload()),
