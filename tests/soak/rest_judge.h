@@ -9,6 +9,7 @@
 
 #include "../core/first_order.h"
 #include "invariants.h"
+#include "solve/pull.h"
 
 namespace chebnet::invariants {
 
@@ -50,6 +51,9 @@ public:
         if (editor.holds_back() || !has_rest_shape(editor)) return violations;
         ++m_judged;
         std::vector<Handle> holding = editor.handles();
+        // Of a soft handle that is to pull harder than that, it is known that it does not.
+        for (Handle& handle : holding)
+            if (!handle.is_exact()) handle.weight = std::min(handle.weight, k_most_pull);
         for (const TautVertex& taut : editor.taut_vertices()) {
             const Eigen::Vector3d a = holding[taut.end_a].target, b = holding[taut.end_b].target,
                                   x = editor.positions().col(taut.vertex);
