@@ -24,6 +24,7 @@ constexpr double k_gain = 0.99;
 // The least iterations with which a walk past the limit begins. It takes half of them; should it lead nowhere, the
 // lengths alone have the others.
 constexpr int k_past_limit = 80;
+// So near to the limit, in radians, a corner is held by it.
 constexpr double k_at_limit = 0.5 * k_degree;
 
 /// Whether an edge folds so much more than before that no smooth bend would fold it so. Nets that are rough as they
