@@ -24,8 +24,8 @@ export class Narrator implements Panel {
   #news: string | null = null;
   /** The solver has sent a frame since then. */
   #isAnswered = false;
-  /** What was told last was of a net on its way to rest: how that ends is told, too. */
-  #isOnItsWay = false;
+  /** What was told last, where that was of a net on its way to rest: how it ends is told, too. */
+  #onItsWay: string | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
   readonly #isChanging: () => boolean;
 
@@ -80,11 +80,12 @@ export class Narrator implements Panel {
     if (this.#news !== null) {
       if (isChanging && (!this.#isAnswered || state === 'running')) return;
       this.element.textContent = panelWords.narrator.withResult(this.#news, words.status[state]);
+      this.#onItsWay = isChanging ? this.#news : null;
       this.#news = null;
-      this.#isOnItsWay = isChanging;
-    } else if (this.#isOnItsWay && !isChanging) {
-      this.element.textContent = words.status[state];
-      this.#isOnItsWay = false;
+    } else if (this.#onItsWay !== null && !isChanging) {
+      // With what was done: where this ends soon, a reader has not said the first sentence yet and leaves it out.
+      this.element.textContent = panelWords.narrator.withResult(this.#onItsWay, words.status[state]);
+      this.#onItsWay = null;
     }
   }
 }
