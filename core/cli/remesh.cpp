@@ -127,7 +127,7 @@ const char* smoother_way(const RemeshOptions& options) {
 }
 
 /// Where a border that is held leads to a net that is longer than there is room for, it lies in folds.
-void tell_crumpled(int edges, const RemeshOptions& options) {
+void tell_folded(int edges, const RemeshOptions& options) {
     if (edges == 0) return;
     std::cerr << "chebnet: every edge has its length, but the net is crumpled: at " << edges
               << (edges == 1 ? " edge" : " edges") << " it folds by more than 60 degrees where the surface does not; "
@@ -163,7 +163,7 @@ int run_remesh(const RemeshArguments& arguments) {
            {"net", remesh_report(made, measured, options.singular)},
            {"milliseconds", milliseconds}});
     if (made.sharp_quads > 0) tell_sharp_quads(made.sharp_quads, options.smallest_angle);
-    tell_crumpled(crumpled_edges(*guide, made.net), options);
+    tell_folded(crumpled_edges(*guide, made.net), options);
     tell_bare(measured.coverage, options);
     return k_success;
 }

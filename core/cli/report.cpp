@@ -118,10 +118,7 @@ void tell_sharp_quads(const Editor& editor, const SolveReport& end) {
 
 void tell_crumpled(const Editor& editor, const SolveReport& end, const char* what_helps) {
     if (!has_lengths(editor, end)) return;
-    const std::vector<double> before = fold_angles(editor.net(), editor.net().rest_positions()),
-                              now = fold_angles(editor.net(), editor.positions());
-    int count = 0;
-    for (std::size_t k = 0; k < now.size(); ++k) count += now[k] > before[k] + k_fold ? 1 : 0;
+    const int count = new_folds(editor.net(), editor.net().rest_positions(), editor.positions());
     if (count == 0) return;
     std::cerr << "chebnet: every edge has its length, but the net is crumpled: at " << count
               << (count == 1 ? " edge" : " edges") << " it folds by 60 degrees more than before the edit; "

@@ -27,15 +27,6 @@ constexpr int k_past_limit = 80;
 // So near to the limit, in radians, a corner is held by it.
 constexpr double k_at_limit = 0.5 * k_degree;
 
-/// Whether an edge folds so much more than before that no smooth bend would fold it so. Nets that are rough as they
-/// come, as coarse animals are, may fold sharply all over.
-bool folds_more(const Net& net, const Positions& before, const Positions& now) {
-    const std::vector<double> old_folds = fold_angles(net, before), folds = fold_angles(net, now);
-    for (std::size_t k = 0; k < folds.size(); ++k)
-        if (folds[k] > old_folds[k] + k_fold) return true;
-    return false;
-}
-
 }  // namespace
 
 /// What a solve knows that has taken handles in hand itself.
@@ -128,7 +119,7 @@ bool Editor::goes_on_by_hand(SolveReport& report) {
 bool Editor::goes_on_without_hand(bool has_arrived, SolveReport& report) {
     const bool is_last = m_run.iterations >= m_options.max_iterations;
     if (has_arrived && is_last) report.status = Status::exact;
-    if (has_arrived && (is_last || !folds_more(*m_net, m_run.net_before, m_positions))) {
+    if (has_arrived && (is_last || new_folds(*m_net, m_run.net_before, m_positions) == 0)) {
         empty_hand();
         return false;
     }

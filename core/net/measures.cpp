@@ -174,6 +174,13 @@ std::vector<double> fold_angles(const Net& net, const Positions& positions) {
     return folds;
 }
 
+int new_folds(const Net& net, const Positions& before, const Positions& now) {
+    const std::vector<double> old_folds = fold_angles(net, before), folds = fold_angles(net, now);
+    int count = 0;
+    for (std::size_t k = 0; k < folds.size(); ++k) count += folds[k] > old_folds[k] + k_fold ? 1 : 0;
+    return count;
+}
+
 Positions vertex_normals(const Net& net, const Positions& x) {
     Positions normals = Positions::Zero(3, x.cols());
     for (int f = 0; f < net.face_count(); ++f) {

@@ -65,6 +65,10 @@ int sharp_folds(const Net& net, const Positions& positions, double angle);
 /// The angle by which the net folds at each edge between two faces, in a fixed order; 0 where it is flat.
 std::vector<double> fold_angles(const Net& net, const Positions& positions);
 
+/// How many edges fold by k_fold more at `now` than `before`: no smooth bend folds them so. Nets that are rough as they
+/// come, as coarse animals are, may fold sharply all over.
+int new_folds(const Net& net, const Positions& before, const Positions& now);
+
 /// 3×V, unit vectors by the areas of the faces at each vertex; zero where these have none.
 Positions vertex_normals(const Net& net, const Positions& positions);
 

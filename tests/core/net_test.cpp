@@ -385,18 +385,39 @@ TEST_CASE("Faces are counted by their corners") {
     CHECK(faces_by_arity(faces) == std::map<int, int>{{3, 2}, {4, 1}});
 }
 
+namespace {
+
+/// Two squares that fold by so many degrees at their common edge.
+Positions hinge(double fold) {
+    const double c = std::cos(fold * k_degree), s = std::sin(fold * k_degree);
+    Positions x(3, 6);
+    x << 0, 1, 1, 0, 1 + c, 1 + c,  //
+        0, 0, 1, 1, 0, 1,           //
+        0, 0, 0, 0, s, s;
+    return x;
+}
+
+}  // namespace
+
 TEST_CASE("Edges are counted at which faces fold by more than an angle, however faces are wound") {
     for (const double fold : {0., 50., 60., 60.05, 70., 179.})
         for (const bool is_wound_alike : {true, false}) {
-            Positions x(3, 6);
-            const double c = std::cos(fold * k_degree), s = std::sin(fold * k_degree);
-            x << 0, 1, 1, 0, 1 + c, 1 + c,  //
-                0, 0, 1, 1, 0, 1,           //
-                0, 0, 0, 0, s, s;
+            const Positions x = hinge(fold);
             Faces faces;
             faces.add(std::vector{0, 1, 2, 3});
             faces.add(is_wound_alike ? std::vector{1, 4, 5, 2} : std::vector{2, 5, 4, 1});
             const Net net(x, faces);
             CHECK(sharp_folds(net, x, 60 * k_degree) == (fold > 60.1 ? 1 : 0));
         }
+}
+
+TEST_CASE("Folds are new where a net folds by 60 degrees more than before, and no less than where it was rough") {
+    Faces faces = one_face({0, 1, 2, 3});
+    faces.add({1, 4, 5, 2});
+    const Net net(hinge(0), faces);
+    CHECK(new_folds(net, hinge(0), hinge(59)) == 0);
+    CHECK(new_folds(net, hinge(0), hinge(61)) == 1);
+    CHECK(new_folds(net, hinge(70), hinge(110)) == 0);
+    CHECK(new_folds(net, hinge(70), hinge(131)) == 1);
+    CHECK(new_folds(net, hinge(90), hinge(0)) == 0);
 }
