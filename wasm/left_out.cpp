@@ -1,8 +1,9 @@
 // What chebnet_editor has in place of sources that it does without (left_out.cmake): OBJ, edge tables, flat patterns,
-// nets pushed through, handles that slide, turn together or are drawn where no way leads, limits that give way,
-// localities, shapes that are relaxed, surfaces, families of net lines and rods that were bent beforehand. Called, they
-// throw the code "left_out".
+// nets pushed through, handles that slide, are soft, turn together or are drawn where no way leads, limits
+// that give way, localities, shapes that are relaxed, surfaces, families of net lines and rods that were bent
+// beforehand. Called, they throw the code "left_out".
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,8 +21,10 @@
 #include "net/rods.h"
 #include "shapes/smooth_figure.h"
 #include "solve/parts/coordinate_metric.h"
+#include "solve/parts/free_motions.h"
 #include "solve/parts/length_system.h"
 #include "solve/parts/neighbour_system.h"
+#include "solve/parts/rest_descent.h"
 #include "solve/parts/tangent_newton.h"
 #include "solve/parts/turned_handles.h"
 #include "solve/terms/bending_term.h"
@@ -85,8 +88,21 @@ std::shared_ptr<const TurnedHandles> TurnedHandles::find(const Topology& topolog
     return nullptr;
 }
 void TurnedHandles::go(double, const Positions&, const Positions&, const Positions&, Eigen::Matrix3Xd&) const {}
+void RestDescent::take_pulls(std::span<const Pull> pulls) {
+    m_rest_energy.move_pulls(*m_net, pulls);
+    for (const Pull& pull : pulls)
+        if (std::isinf(pull.yields)) leave_to_the_whole_core();
+}
+// Never called without soft handles.
+std::span<const Pull> RestDescent::pulls_on_their_way() const { return {}; }
+void RestDescent::begin_pull_walk(const Positions&) {}
+Status RestDescent::follow_pulls(Positions&, TraceRow&) { return Status::running; }
+void RestDescent::follow_lone_pulls(std::span<const std::vector<int>>, std::span<const Pull>, Positions&) {}
 void check_slide(int, Axes, bool) { leave_to_the_whole_core(); }
 // Never called where no handle has passed that check.
+void TangentNewton::find_free_motions(std::span<const Pull>, const Options&) {}
+void FreeMotions::begin(const Positions&) {}
+void FreeMotions::take_out(Eigen::Matrix3Xd&) const {}
 void LengthSystem::set_slides(std::span<const Slide>) {}
 void LengthSystem::take_off_what_is_kept() {}
 void LengthSystem::add_pull_beside_what_is_kept(const Eigen::VectorXd&, Eigen::Matrix3Xd&) const {}

@@ -9,6 +9,7 @@
 #include "constants.h"
 #include "net/measures.h"
 #include "sample_nets.h"
+#include "solve/parts/free_motions.h"
 #include "solve/parts/handle_walk.h"
 #include "solve/parts/net_constraints.h"
 #include "solve/parts/path_extrapolation.h"
@@ -332,4 +333,40 @@ TEST_CASE("A short part of any move is that part of it, but for its square, and 
     CHECK(sheet.gone(1, move).leftCols(6) == sheet.x.leftCols(6));
     CHECK(off(1) > 0.01);
     CHECK(off(0.01) < 1.3e-2 * off(0.1));
+}
+
+TEST_CASE("What nothing resists is taken out of moves: turns about what is held, and shifts on the ground") {
+    const Net net = samples::patch(5, 4);
+    const Positions& x = net.rest_positions();
+    const std::vector<Slide> feet{{0, 3}, {4, 3}, {15, 3}}, on_rails{{0, 1}, {4, 1}};
+    const std::vector<Pull> pull{{12, x.col(12), 1}}, pulls{{12, x.col(12), 1}, {3, x.col(3), 1}};
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal;
+    const Eigen::Matrix3Xd any = Eigen::Matrix3Xd::NullaryExpr(3, 20, [&] { return normal(random); });
+    Eigen::Matrix3Xd turn(3, 20), shift(3, 20);
+    for (int v = 0; v < 20; ++v) turn.col(v) = Eigen::Vector3d::UnitZ().cross(x.col(v) - x.col(12));
+    shift.colwise() = Eigen::Vector3d::UnitX();
+    const auto rest = [&](const Eigen::Matrix3Xd& move, const std::vector<Slide>& slides,
+                          const std::vector<Pull>& drawn, const Options& options = {}) {
+        FreeMotions motions({}, slides, drawn, options);
+        motions.begin(x);
+        Eigen::Matrix3Xd left = move;
+        motions.take_out(left);
+        return left;
+    };
+    CHECK(rest(turn, feet, pull).norm() < 1e-12 * turn.norm());
+    CHECK(rest(turn, feet, {}).norm() < 1e-12 * turn.norm());
+    CHECK(rest(shift, feet, {}).norm() < 1e-12 * shift.norm());
+    CHECK(rest(shift, on_rails, {}).norm() < 1e-12 * shift.norm());
+    const Eigen::Matrix3Xd left = rest(any, feet, pull);
+    CHECK(std::abs((left.array() * turn.array()).sum()) < 1e-12 * turn.norm());
+    CHECK((rest(left, feet, pull) - left).norm() < 1e-12 * left.norm());
+    // What is resisted stays whole.
+    CHECK(rest(any, feet, pulls) == any);
+    CHECK(rest(any, on_rails, pull) == any);
+    Options heavy;
+    heavy.gravity = 1;
+    CHECK(rest(turn, feet, pull, heavy).norm() < 1e-12 * turn.norm());
+    heavy.y_up = true;
+    CHECK(rest(turn, feet, pull, heavy) == turn);
 }

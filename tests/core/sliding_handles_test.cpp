@@ -119,6 +119,28 @@ TEST_CASE("The feet of an arch of two edges stand where Pythagoras says when its
     }
 }
 
+TEST_CASE("A sheet whose feet slide on the ground does not turn while a soft handle lifts its middle") {
+    const double weight = GENERATE(1., 100., 1e4);
+    CAPTURE(weight);
+    const int n = 30, middle = n * n / 2 + n / 2;  // beside the centre
+    const Net net = samples::patch(n, n, 0);
+    Editor editor =
+        editor_of(net, {sliding(net, 0, k_ground), sliding(net, n - 1, k_ground), sliding(net, n * (n - 1), k_ground),
+                        sliding(net, n * n - 1, k_ground), pinned(net, middle)});
+    std::vector<Handle> handles = editor.handles();
+    handles.back().weight = weight;
+    handles.back().target.z() += 3;
+    editor.set_handles(handles);
+    REQUIRE(editor.solve().status == Status::converged);
+    // From foot to opposite foot, as before.
+    for (const auto& [a, b] : {std::pair(0, n * n - 1), std::pair(n - 1, n * (n - 1))}) {
+        const Eigen::Vector3d before = net.rest_positions().col(b) - net.rest_positions().col(a),
+                              now = editor.positions().col(b) - editor.positions().col(a);
+        CHECK(before.cross(now).norm() < std::sin(0.2 * samples::k_degree) * before.norm() * now.norm());
+    }
+    CHECK(new_folds(net, net.rest_positions(), editor.positions()) == 0);
+}
+
 TEST_CASE("A strip with one foot fixed and one that slides up and down hangs straight down") {
     const Net net = samples::patch(2, 7, 0.5);
     std::vector<Handle> handles;

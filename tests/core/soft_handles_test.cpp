@@ -274,3 +274,51 @@ TEST_CASE("What hangs on one soft handle and comes to rest there stays, though n
     other.solve();
     CHECK((other.positions() - editor.positions()).colwise().norm().maxCoeff() < 1e-3);
 }
+
+TEST_CASE("A soft handle that jumps leads the net where a hand would, however stiff it is, and it stays there") {
+    const double weight = GENERATE(1., 30., 1000., 1e5);
+    CAPTURE(weight);
+    const Net net = samples::patch(21, 21);
+    std::vector<Handle> handles = samples::handles_at_rest(net, {0, 20, 220, 440});
+    handles.back().weight = weight;
+    Editor dragged(net), jumped(net);
+    for (Editor* editor : {&dragged, &jumped}) editor->set_handles(handles);
+    const Eigen::Vector3d pull(-1, -2, 4);
+    drag(dragged, pull);
+    jumped.move_handle(440, handles.back().target + pull);
+    REQUIRE(jumped.solve().status == Status::converged);
+    CHECK(new_folds(net, net.rest_positions(), jumped.positions()) == 0);
+    const double apart = (jumped.positions() - dragged.positions()).norm() / std::sqrt(net.vertex_count());
+    CHECK(apart < 1e-3 * net.mean_length());
+    Editor opened(net);
+    opened.set_state(jumped.state());
+    const SolveReport again = opened.solve();
+    CHECK(again.status == Status::converged);
+    CHECK(again.iterations <= 2);
+    CHECK((opened.positions() - jumped.positions()).cwiseAbs().maxCoeff() < 1e-5);
+}
+
+TEST_CASE("A soft handle that jumps is on its way when a budget ends, and goes on from there") {
+    const Net net = samples::patch(21, 21);
+    std::vector<Handle> handles = samples::handles_at_rest(net, {0, 20, 220, 440});
+    handles.back().weight = 1000;
+    Editor at_once(net), in_pieces(net);
+    for (Editor* editor : {&at_once, &in_pieces}) {
+        editor->set_handles(handles);
+        editor->move_handle(440, handles.back().target + Eigen::Vector3d(0, -1, 4));
+    }
+    REQUIRE(at_once.solve().status == Status::converged);
+    in_pieces.set_option("max_iterations", "2");
+    double distance = 4;
+    for (int piece = 0; piece < 2; ++piece) {
+        const SolveReport report = in_pieces.solve();
+        CHECK(report.status == Status::max_iterations);
+        CHECK(report.max_deviation < 1e-6);
+        const double left = distance_from_target(in_pieces, in_pieces.handles().back());
+        CHECK(left < distance - 0.5);
+        distance = left;
+    }
+    in_pieces.set_option("max_iterations", "200");
+    REQUIRE(in_pieces.solve().status == Status::converged);
+    CHECK((in_pieces.positions() - at_once.positions()).norm() < 1e-3 * std::sqrt(net.vertex_count()));
+}

@@ -60,6 +60,7 @@ class WorkerHere implements WorkerLike {
   onmessageerror: WorkerLike['onmessageerror'] = null;
   readonly #server: Server;
   readonly #asked: Request['type'][];
+  #isEnded = false;
 
   constructor(core: Editors, whole: Editors, tasks: (() => void)[], asked: Request['type'][]) {
     this.#asked = asked;
@@ -67,7 +68,7 @@ class WorkerHere implements WorkerLike {
       const data = structuredClone(response);
       queueMicrotask(() => this.onmessage?.({ data } as MessageEvent<Response>));
     };
-    const soon = (task: () => void) => tasks.push(task);
+    const soon = (task: () => void) => tasks.push(() => void (this.#isEnded || task()));
     this.#server = new Server(core, { post, soon, now: () => 0, wholeCore: () => Promise.resolve(whole) });
   }
 
@@ -76,5 +77,7 @@ class WorkerHere implements WorkerLike {
     this.#server.handle(structuredClone(request));
   }
 
-  terminate(): void {}
+  terminate(): void {
+    this.#isEnded = true;
+  }
 }

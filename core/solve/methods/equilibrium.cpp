@@ -26,8 +26,6 @@ namespace {
 constexpr int k_most_trials = 8;
 // The limit aims a little higher than it has to be, so that it is met in spite of its tolerance.
 constexpr double k_limit_margin = 0.02 * k_degree;
-// In edge lengths: farther away lengths have too few digits for a net to be at rest.
-constexpr double k_farthest = 1e6;
 // A net with less energy than this lies as its rest shape does.
 constexpr double k_no_energy = 1e-6;
 // The most dL of a net that stands as it is held.
@@ -76,7 +74,6 @@ private:
     Status find_another_net(Positions& positions);
     bool begin_at_rest_shape(double nearer_than);
     void enter_rest(const Positions& positions);
-    void follow_lone_pulls(Positions& positions);
     Status relax(Positions& positions, TraceRow& row);
 
     const Net* m_net = nullptr;
@@ -228,7 +225,7 @@ Status Equilibrium::open_rest_shape(Positions& positions, TraceRow& row) {
 }
 
 Status Equilibrium::begin(Positions& positions, bool same_energy) {
-    m_descent.begin_solve();
+    m_descent.begin_solve(was_left(m_result, positions));
     m_was_placed = false;
     m_stuck_at.resize(3, 0);
     const bool can_rest = m_reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
@@ -251,7 +248,8 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
     if (m_stage != rest) return Status::running;
     enter_rest(positions);
     if (!m_descent.is_at_rest()) {
-        follow_lone_pulls(positions);
+        if (!m_loose_pieces.empty()) m_descent.follow_lone_pulls(m_loose_pieces, m_pulls, positions);
+        m_max_deviation = m_descent.deviation();
         m_result = positions;
         return Status::running;
     }
@@ -501,6 +499,7 @@ bool Equilibrium::begin_at_rest_shape(double nearer_than) {
         return false;
     }
     m_result = start;
+    m_descent.forget_pulls();
     m_descent.forget_multipliers();
     m_walk.forget_moves(m_net->vertex_count());
     m_walk.begin(m_result, m_walk.end(), m_net->mean_length());
@@ -511,31 +510,6 @@ void Equilibrium::enter_rest(const Positions& positions) {
     m_stage = rest;
     m_descent.enter(positions);
     m_max_deviation = m_descent.deviation();
-}
-
-/// Pieces that hang on one soft handle alone go along with it as they are, where that is less energy for all of them
-/// together: step by step they would be drawn there like a load by a stiff spring.
-void Equilibrium::follow_lone_pulls(Positions& positions) {
-    if (m_loose_pieces.empty() || m_pulls.empty()) return;
-    std::vector<const Pull*> pull_at(m_is_free.size());
-    for (const Pull& pull : m_pulls) pull_at[pull.vertex] = &pull;
-    Positions moved = positions;
-    for (const std::vector<int>& piece : m_loose_pieces) {
-        const auto is_pulled = [&](int v) { return pull_at[v] != nullptr; };
-        if (std::count_if(piece.begin(), piece.end(), is_pulled) != 1) continue;
-        const Pull& pull = *pull_at[*std::find_if(piece.begin(), piece.end(), is_pulled)];
-        const Eigen::Vector3d shift = pull.target - positions.col(pull.vertex);
-        const bool is_of_hand = std::isfinite(pull.yields), is_far = shift.norm() > k_farthest * m_net->mean_length();
-        if (is_of_hand || is_far) continue;
-        for (int v : piece) moved.col(v) += shift;
-    }
-    if (moved == positions) return;
-    const double energy = m_descent.energy();
-    enter_rest(moved);
-    if (m_max_deviation < m_options.threshold && m_descent.energy() < energy)
-        positions = moved;
-    else
-        enter_rest(positions);
 }
 
 Status Equilibrium::relax(Positions& positions, TraceRow& row) {
@@ -579,8 +553,10 @@ constexpr auto k_equilibrium_options =
 ///      handles that jump, it begins at the rest shape; so it does once a hand has let go of handles that are home.
 ///      Where the limit is to give way, it is a term that pushes back (PenaltyTerm);
 ///   3  Newton steps for the energy among nets with these lengths and no sharper corners, until the gradient that the
-///      constraints leave is below Options::rest_tolerance (RestDescent). A flat net that would lose energy by bending
-///      out of its plane, towards which nothing pushes it to first order, is not at rest: it leaves the plane.
+///      constraints leave is below Options::rest_tolerance (RestDescent). What stiff soft handles pull towards comes
+///      there in steps of an edge length at most, with one Newton step each (PullWalk). A flat net that would lose
+///      energy by bending out of its plane, towards which nothing pushes it to first order, is not at rest: it leaves
+///      the plane.
 ///
 /// Before all of them, as stage 4, the rest shape is opened where it has corners that are too sharp.
 ///

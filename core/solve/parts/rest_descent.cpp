@@ -87,6 +87,7 @@ void RestDescent::choose_energy(const Positions& rest_shape, const Options& opti
                                 const Guide* guide, double unit, const std::vector<bool>& weightless,
                                 RestEnergy::Limit is, CornerLimit limit) {
     m_rest_energy.choose(*m_net, *m_topology, rest_shape, options, pulls, guide, unit, weightless, is);
+    m_is_guided = RestEnergy::is_guided(options, guide);
     m_limit = is == RestEnergy::Limit::is_kept ? std::move(limit) : CornerLimit();
     m_constraints.reset();
     m_has_metric = false;
@@ -94,11 +95,12 @@ void RestDescent::choose_energy(const Positions& rest_shape, const Options& opti
 
 void RestDescent::prepare(const FreePart& part, const std::vector<bool>& is_free, std::span<const Slide> slides,
                           std::span<const Pull> pulls, const Positions& positions) {
-    m_rest_energy.move_pulls(*m_net, pulls);
+    take_pulls(pulls);
     if (!m_newton) {
         m_newton = std::make_unique<TangentNewton>(*m_net, *m_topology, part, slides);
         m_is_loose = loose_vertices(*m_topology, is_free, slides, pulls);
     }
+    if (!slides.empty() && !m_is_guided) m_newton->find_free_motions(pulls, m_options);
     if (!m_constraints)
         m_constraints =
             std::make_unique<NetConstraints>(*m_net, *m_topology, m_limit, is_free, slides, pulls, positions);
@@ -135,7 +137,8 @@ bool RestDescent::project(Positions& positions, double threshold) {
     return m_constraints->project(positions, threshold);
 }
 
-void RestDescent::begin_solve() {
+void RestDescent::begin_solve(bool is_as_left) {
+    m_pulls_are_known = is_as_left;
     m_steps = 0;
     m_has_given_way = false;
 }
@@ -153,6 +156,7 @@ void RestDescent::enter(const Positions& positions) {
 }
 
 Status RestDescent::relax(Positions& positions, TraceRow& row) {
+    if (m_pulls_walk) return follow_pulls(positions, row);
     if (m_steps == 0) give_way(positions);
     const Status status = step_to_rest(positions, row);
     if (status != Status::running && give_way(positions)) return Status::running;
@@ -165,6 +169,7 @@ Status RestDescent::step_to_rest(Positions& positions, TraceRow& row) {
     if (is_at_rest()) return Status::converged;
     const double energy = m_energy;
     take_step(positions, row);
+    if (m_pulls_walk) return Status::running;
     if (row.step == 0) {
         if (is_balanced()) return Status::converged;
         if (m_is_careful) return stuck();
@@ -223,6 +228,7 @@ bool RestDescent::follow_path(Positions& positions) {
 
 /// One Newton step, within the trust region that the steps before have left.
 void RestDescent::take_step(Positions& positions, TraceRow& row) {
+    if (m_pulls_wait) begin_pull_walk(positions);
     ++m_steps;
     renew_factor(row);
     row.gradient_norm = m_gradient_before = gradient_norm();
@@ -421,7 +427,7 @@ std::optional<RestState> RestDescent::state(const Positions& positions, std::spa
                      positions,
                      m_rest_energy,
                      m_gradient,
-                     pulls,
+                     m_pulls_walk ? pulls_on_their_way() : pulls,
                      m_constraints->system(),
                      m_newton->multipliers()};
 }

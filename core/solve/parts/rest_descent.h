@@ -22,11 +22,14 @@
 
 namespace chebnet {
 
+class PullWalk;
+
 /// The descent from net to net until one is at rest: Newton steps for the energy among nets (TangentNewton), each
 /// turning the net where it turns (TurnedMove), projected onto the lengths and out of corners that are too sharp
 /// (NetConstraints), until the gradient that these leave is below Options::rest_tolerance. Where steps follow a valley
-/// of the energy, they are carried on along it (PathExtrapolation). A net towards whose bending nothing pushes to first
-/// order, flat or with straight lines, is given a bow where it would lose energy by it.
+/// of the energy, they are carried on along it (PathExtrapolation). What stiff soft handles pull towards from afar
+/// comes there in steps of an edge length at most, with a Newton step each (PullWalk). A net towards whose bending
+/// nothing pushes to first order, flat or with straight lines, is given a bow where it would lose energy by it.
 class RestDescent {
 public:
     /// Another net, of which nothing is known. Keeps references.
@@ -49,6 +52,8 @@ public:
     bool is_prepared() const { return m_constraints && m_newton; }
     /// What steps of before have left does not count in those that follow.
     void forget_multipliers() { m_newton->forget_multipliers(); }
+    /// The net is not at rest with the pulls of before.
+    void forget_pulls() { m_pulls_are_known = false; }
 
     /// How free vertices follow if what is held moves by these columns, as smoothly as the energy's bound allows.
     void extend(Eigen::Matrix3Xd& moves) { m_newton->extend(moves); }
@@ -60,12 +65,16 @@ public:
     /// Onto the lengths and out of corners that are too sharp. If that fails, the corners are held that were before.
     bool project(Positions& positions);
 
-    /// A solve begins.
-    void begin_solve();
+    /// A solve begins; where the last one has left the net, or elsewhere.
+    void begin_solve(bool is_as_left);
     /// The next step is again the first of a solve: handles are still moving.
     void begin_steps() { m_steps = 0; }
     /// Takes this net.
     void enter(const Positions& positions);
+    /// At the net entered: pieces of it in which nothing is held, and that hang on one soft handle alone, go along with
+    /// that as they are, where this is less energy for all of them together.
+    void follow_lone_pulls(std::span<const std::vector<int>> loose_pieces, std::span<const Pull> pulls,
+                           Positions& positions);
     /// One Newton step, within the trust region that the steps before have left. Only where is_linearised().
     void take_step(Positions& positions, TraceRow& row);
     /// One step to rest from the net that the last one ended with, or from a bow.
@@ -76,7 +85,7 @@ public:
 
     // At the net last entered or come to by a step:
     bool is_linearised() const { return m_is_linearised; }
-    bool is_at_rest() const { return m_is_still && is_balanced(); }
+    bool is_at_rest() const { return m_is_still && !m_pulls_walk && is_balanced(); }
     double energy() const { return m_energy; }
     double deviation() const { return m_max_deviation; }  ///< max dL
     /// What is said of it, at `positions`; nullopt if no multipliers are known. Keeps references to these and `pulls`.
@@ -96,6 +105,12 @@ private:
     bool linearise(const Positions& positions);
     double gradient_norm() const;
     double motion_left() const;
+    void take_pulls(std::span<const Pull> pulls);
+    std::span<const Pull> pulls_on_their_way() const;
+    void begin_pull_walk(const Positions& positions);
+    void walk_pulls_to(double part, const Positions& positions);
+    Status follow_pulls(Positions& positions, TraceRow& row);
+    Eigen::Matrix3Xd follow(std::span<const Pull> moves) const;
     void renew_factor(TraceRow& row);
     double find_move_beside_corners(const Positions& positions);
     double find_move();
@@ -108,11 +123,15 @@ private:
     const Topology* m_topology = nullptr;
     Options m_options;
     RestEnergy m_rest_energy;
+    bool m_is_guided = false;  // by one of its terms
     CornerLimit m_limit;
     std::unique_ptr<NetConstraints> m_constraints;  // whatever the handles
     std::unique_ptr<TangentNewton> m_newton;        // for these handles
     bool m_has_metric = false;                      // of the terms as they are
     std::vector<bool> m_is_loose;                   // V, see loose_vertices()
+    std::shared_ptr<PullWalk> m_pull_walk;          // the last one; null: none so far
+    // Whether it tells where the net has pulls; a new one begins with the next step, if any is far; it is under way.
+    bool m_pulls_are_known = false, m_pulls_wait = false, m_pulls_walk = false;
 
     int m_steps = 0;               // Newton steps of this solve, or since handles have moved
     double m_radius = 0;           // no vertex moves farther in the next step

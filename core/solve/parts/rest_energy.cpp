@@ -23,10 +23,6 @@ constexpr double k_hold = 100;
 // The weight of a limit that gives way: so much that corners share what it has to give.
 constexpr double k_yielding_limit = 10;
 
-bool is_guided(const Options& options, const Guide* guide) {
-    return guide != nullptr && options.guide_mode != GuideMode::off;
-}
-
 BendingTerm::Reference bending_reference(const Options& options) {
     if (options.rod_curvature != 0) return BendingTerm::Reference::curved;
     return options.straight_rods ? BendingTerm::Reference::straight : BendingTerm::Reference::rest;
@@ -62,6 +58,10 @@ bool RestEnergy::is_the_same(const Options& a, const Options& b) {
                           o.guide_mode, o.guide_weight);
     };
     return asked(a) == asked(b);
+}
+
+bool RestEnergy::is_guided(const Options& options, const Guide* guide) {
+    return guide != nullptr && options.guide_mode != GuideMode::off;
 }
 
 bool RestEnergy::is_least_at_rest_shape(const Options& options, std::span<const Pull> pulls, const Guide* guide) {

@@ -25,6 +25,8 @@ public:
 
     /// Whether both options ask for the same energy, and for the same limit of the corners.
     static bool is_the_same(const Options& a, const Options& b);
+    /// Whether a guide is one of its terms. Null: there is none.
+    static bool is_guided(const Options& options, const Guide* guide);
     /// Whether the rest shape is where it is least if nothing deforms it, wherever and however turned it stands.
     static bool is_least_at_rest_shape(const Options& options, std::span<const Pull> pulls, const Guide* guide);
 

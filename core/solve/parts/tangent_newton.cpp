@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "linear/ordered_dot.h"
+#include "solve/parts/free_motions.h"
 
 namespace chebnet {
 
@@ -70,6 +71,7 @@ void TangentNewton::mask(Eigen::Matrix3Xd& vectors) const {
 bool TangentNewton::linearise(const Positions& x, const Eigen::Matrix3Xd& gradient, LengthProjection& lengths) {
     Stopwatch watch;
     m_lengths = &lengths;
+    if (m_free_motions) m_free_motions->begin(x);
     LengthSystem& system = lengths.system();
     if (m_multipliers.size() != system.row_count())
         for (Eigen::VectorXd* vector : {&m_multipliers, &m_changes, &m_pulls}) vector->setZero(system.row_count());
@@ -102,13 +104,14 @@ bool TangentNewton::shorten(const Eigen::VectorXd& rows) {
     return true;
 }
 
-/// d −= W Jᵀ (J W Jᵀ)⁻¹ J d, as far as single precision goes.
+/// d −= W Jᵀ (J W Jᵀ)⁻¹ J d, as far as single precision goes; and without the free motions, which keep lengths.
 void TangentNewton::project(Eigen::Matrix3Xd& moves) {
     LengthSystem& system = m_lengths->system();
     system.stretch(moves, m_changes);
     system.precondition(m_changes, m_pulls);
     m_pulls *= -1;
     system.add_pull(m_pulls, moves);
+    if (m_free_motions) m_free_motions->take_out(moves);
 }
 
 /// f −= Jᵀ (J W Jᵀ)⁻¹ J W f, the transpose of project().

@@ -8,6 +8,7 @@
 
 #include "net/net.h"
 #include "net/topology.h"
+#include "solve/options.h"
 #include "solve/parts/coordinate_metric.h"
 #include "solve/parts/free_part.h"
 #include "solve/parts/length_projection.h"
@@ -15,10 +16,13 @@
 #include "solve/parts/neighbour_pairs.h"
 #include "solve/parts/neighbour_system.h"
 #include "solve/parts/turned_move.h"
+#include "solve/pull.h"
 #include "solve/slide.h"
 #include "solve/terms/term.h"
 
 namespace chebnet {
+
+class FreeMotions;
 
 /// Newton's method for the least energy among nets whose edges have their lengths: at a net x,
 ///
@@ -36,6 +40,8 @@ public:
     TangentNewton(const Net& net, const Topology& topology, const FreePart& part, std::span<const Slide> slides = {});
     ~TangentNewton();
 
+    /// Moves have nothing of what nothing resists from now on; `options`: see FreeMotions.
+    void find_free_motions(std::span<const Pull> pulls, const Options& options);
     /// Takes over the bounds of these terms, and factors M anew.
     void set_metric(std::span<const std::unique_ptr<Term>> terms);
     /// How free vertices follow if fixed ones move by the columns of `moves` (3×V), and those that slide by what they
@@ -122,7 +128,8 @@ private:
     LengthProjection* m_lengths = nullptr;
     std::vector<int> m_fixed;  // vertices
     std::vector<Slide> m_slides;
-    std::vector<std::pair<int, double>> m_firm;  // vertices where the W of lengths is below 1, and it
+    std::vector<std::pair<int, double>> m_firm;   // vertices where the W of lengths is below 1, and it
+    std::shared_ptr<FreeMotions> m_free_motions;  // null: none that matters
     // M as links and weights at vertices.
     NeighbourPairs m_pairs;
     NeighbourForm m_form;
