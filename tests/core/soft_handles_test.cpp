@@ -322,3 +322,22 @@ TEST_CASE("A soft handle that jumps is on its way when a budget ends, and goes o
     REQUIRE(in_pieces.solve().status == Status::converged);
     CHECK((in_pieces.positions() - at_once.positions()).norm() < 1e-3 * std::sqrt(net.vertex_count()));
 }
+
+TEST_CASE("A flat sheet that a soft handle pushes together bows out of its plane, however stiff that is") {
+    const double weight = GENERATE(1., 100., 1e4);
+    CAPTURE(weight);
+    const Net net = samples::patch(16, 16, 0);
+    std::vector<Handle> handles = samples::handles_at_rest(net, {15, 240, 0, 255});
+    handles.back().weight = weight;
+    Editor pushed(net), dragged(net);
+    for (Editor* editor : {&pushed, &dragged}) editor->set_handles(handles);
+    const Eigen::Vector3d push = -2 / std::sqrt(2.0) * net.mean_length() * Eigen::Vector3d(1, 1, 0);
+    pushed.move_handle(255, handles.back().target + push);
+    CHECK(pushed.solve().status == Status::converged);
+    drag(dragged, push);
+    for (const Editor* editor : {&pushed, &dragged}) {
+        const auto heights = editor->positions().row(2);
+        CHECK(heights.maxCoeff() - heights.minCoeff() > 2 * net.mean_length());
+        CHECK(distance_from_target(*editor, editor->handles().back()) < net.mean_length());
+    }
+}

@@ -10,7 +10,6 @@
 #include "base/stopwatch.h"
 #include "net/measures.h"
 #include "solve/methods/methods.h"
-#include "solve/parts/bow.h"
 #include "solve/parts/corner_limit.h"
 #include "solve/parts/handle_walk.h"
 #include "solve/parts/option_names.h"
@@ -70,7 +69,6 @@ private:
     Status follow_handles(Positions& positions, TraceRow& row);
     void walk(double part, Positions& x);
     bool move_handles(double part, Positions& x);
-    void add_bow(const Positions& x, Eigen::Matrix3Xd& moves);
     Status find_another_net(Positions& positions);
     bool begin_at_rest_shape(double nearer_than);
     void enter_rest(const Positions& positions);
@@ -443,20 +441,10 @@ bool Equilibrium::move_handles(double part, Positions& x) {
     const double repeated = m_walk.take_off_repeated(moves);
     m_descent.extend(moves);
     moves += repeated * m_walk.last_move();
-    add_bow(x, moves);
+    m_descent.add_bow(x, moves);
     x += moves;
     if (part == 1) m_walk.held().take_held(m_walk.end(), x);
     return m_descent.project(x);
-}
-
-/// Handles that squeeze a flat net make it bow out of its plane, in the shape in which an even load bends it, to the
-/// side to which they lead it, or else weight, soft handles, a guide or rods that are bent when free.
-void Equilibrium::add_bow(const Positions& x, Eigen::Matrix3Xd& moves) {
-    const auto normal = normal_of_flat(*m_net, x, up_axis(m_options));
-    if (!normal) return;
-    Eigen::Matrix3Xd bow;
-    m_descent.give_way_to(*normal, bow);
-    moves += part_of_bow(*m_net, x, moves, bow, m_descent.rises_along(x, bow)) * bow;
 }
 
 /// Where the way from the last net leads no farther: by the way from the rest shape, or else, if it was to end where

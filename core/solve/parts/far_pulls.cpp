@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solve/parts/bow.h"
 #include "solve/parts/pull_walk.h"
 #include "solve/parts/rest_descent.h"
 
@@ -27,11 +28,12 @@ void RestDescent::take_pulls(std::span<const Pull> pulls) {
 
 std::span<const Pull> RestDescent::pulls_on_their_way() const { return m_pull_walk->now(); }
 
-/// A net that has no force with pulls at their targets stays.
+/// A net that has no force with pulls at their targets stays. A flat one may have to bow, be it drawn ever so little.
 void RestDescent::begin_pull_walk(const Positions& positions) {
     m_pulls_wait = false;
     if (is_balanced()) return;
-    m_pull_walk->begin(positions, m_pulls_are_known, m_net->mean_length());
+    const bool is_flat = normal_of_flat(*m_net, positions, up_axis(m_options)).has_value();
+    m_pull_walk->begin(positions, m_pulls_are_known, m_net->mean_length(), is_flat);
     if (m_pull_walk->walked() < 1) walk_pulls_to(0, positions);
 }
 
@@ -51,7 +53,9 @@ Status RestDescent::follow_pulls(Positions& positions, TraceRow& row) {
     double part = m_pull_walk->next();
     int trial = 0;
     for (; trial < k_most_pull_trials; ++trial, part = walked + (part - walked) / 2) {
-        Positions x = positions + follow(m_pull_walk->moves_to(part));
+        Eigen::Matrix3Xd moves = follow(m_pull_walk->moves_to(part));
+        add_bow(positions, moves);
+        Positions x = positions + moves;
         if (!project(x)) continue;
         positions = x;
         break;

@@ -21,7 +21,7 @@ void PullWalk::take(std::span<const Pull> pulls) {
     m_walked = 1;
 }
 
-void PullWalk::begin(const Positions& positions, bool are_known, double edge_length) {
+void PullWalk::begin(const Positions& positions, bool are_known, double edge_length, bool also_short) {
     are_known &= std::equal(m_from.begin(), m_from.end(), m_to.begin(), m_to.end(), is_same);
     const std::vector<Pull> before = std::exchange(m_from, m_to);
     double length = 0;
@@ -34,7 +34,7 @@ void PullWalk::begin(const Positions& positions, bool are_known, double edge_len
         length = std::max(length, (to - from).norm() / edge_length);
     }
     m_stride = std::max(1 / k_most_pull_steps, 1 / std::max(1.0, length));
-    go_to(m_stride < 1 ? 0 : 1);
+    go_to(length > (also_short ? 0 : 1) ? 0 : 1);
 }
 
 double PullWalk::next() const { return std::min(1.0, m_walked + m_stride); }

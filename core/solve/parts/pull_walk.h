@@ -21,8 +21,9 @@ public:
     /// Other pulls, at their targets. Those of before are known until begin().
     void take(std::span<const Pull> pulls);
     /// A way to these targets begins, at those that the same pulls had before if they are known, or at their vertices
-    /// where these are nearer. `edge_length`: the unit of the way. One that is no longer is at its end at once.
-    void begin(const Positions& positions, bool are_known, double edge_length);
+    /// where these are nearer. `edge_length`: the unit of the way. One that is no longer is at its end at once, unless
+    /// it is to be gone all the same.
+    void begin(const Positions& positions, bool are_known, double edge_length, bool also_short);
     /// The part of the way that has been gone.
     double walked() const { return m_walked; }
     /// The part at which the next step is to end.

@@ -109,6 +109,16 @@ void RestDescent::prepare(const FreePart& part, const std::vector<bool>& is_free
     m_constraints->set_free(is_free, slides, pulls);
 }
 
+void RestDescent::add_bow(const Positions& positions, Eigen::Matrix3Xd& moves) {
+    const auto normal = normal_of_flat(*m_net, positions, up_axis(m_options));
+    if (!normal) return;
+    Eigen::Matrix3Xd bow;
+    give_way_to(*normal, bow);
+    moves += part_of_bow(*m_net, positions, moves, bow, rises_along(positions, bow)) * bow;
+}
+
+/// How what is free gives way to an even load, by the energy's bound; pieces that nothing holds would fly off, and bear
+/// none.
 void RestDescent::give_way_to(const Eigen::Vector3d& load, Eigen::Matrix3Xd& moves) const {
     Eigen::Matrix3Xd loads(3, m_net->vertex_count());
     loads.colwise() = load;
@@ -117,6 +127,7 @@ void RestDescent::give_way_to(const Eigen::Vector3d& load, Eigen::Matrix3Xd& mov
     m_newton->give_way(loads, moves);
 }
 
+/// Whether the energy rises along a move from there, by more than rounding tells.
 bool RestDescent::rises_along(const Positions& positions, const Eigen::Matrix3Xd& move) {
     m_rest_energy.evaluate(positions, m_next_gradient);
     const double slope = ordered_dot(m_next_gradient, move),

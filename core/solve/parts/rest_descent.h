@@ -57,11 +57,9 @@ public:
 
     /// How free vertices follow if what is held moves by these columns, as smoothly as the energy's bound allows.
     void extend(Eigen::Matrix3Xd& moves) { m_newton->extend(moves); }
-    /// How what is free gives way to an even load, by the energy's bound; pieces that nothing holds would fly off, and
-    /// bear none.
-    void give_way_to(const Eigen::Vector3d& load, Eigen::Matrix3Xd& moves) const;
-    /// Whether the energy rises along a move from there, by more than rounding tells.
-    bool rises_along(const Positions& positions, const Eigen::Matrix3Xd& move);
+    /// Moves that squeeze a flat net get what makes it bow out of its plane, in the shape in which an even load bends
+    /// it, to the side to which they lead it, or else weight, soft handles, a guide or rods that are bent when free.
+    void add_bow(const Positions& positions, Eigen::Matrix3Xd& moves);
     /// Onto the lengths and out of corners that are too sharp. If that fails, the corners are held that were before.
     bool project(Positions& positions);
 
@@ -100,6 +98,8 @@ private:
     bool is_idle(double energy_before, double force_before);
     bool give_way(Positions& positions);
     bool find_bow(const Eigen::Vector3d& normal, Eigen::Matrix3Xd& bow);
+    void give_way_to(const Eigen::Vector3d& load, Eigen::Matrix3Xd& moves) const;
+    bool rises_along(const Positions& positions, const Eigen::Matrix3Xd& move);
     void refine_lengths(Positions& positions);
     bool follow_path(Positions& positions);
     bool linearise(const Positions& positions);
