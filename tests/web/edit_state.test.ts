@@ -20,14 +20,15 @@ const fresh = whole.openRecipe(recipe);
 const dragged = fresh.suggestedHandles.at(-1) ?? -1;
 const anchors = Array.from(fresh.suggestedHandles).slice(0, -1);
 
+const exactHandles = [
+  ...anchors.map((vertex) => ({ vertex, target: at(vertex), anchor: true })),
+  { vertex: dragged, target: at(dragged), anchor: false, name: 'crown' },
+];
+
 /** Nothing as in a net just opened. */
 const scene: Scene = {
   ...freshScene({ recipe }),
-  handles: [
-    ...anchors.map((vertex) => ({ vertex, target: at(vertex), anchor: true })),
-    { vertex: dragged, target: at(dragged), anchor: false, name: 'crown' },
-    { vertex: 5, target: at(5, 0.5), anchor: false, weight: 0.25, hidden: true },
-  ],
+  handles: [...exactHandles, { vertex: 5, target: at(5, 0.5), anchor: false, weight: 0.25, hidden: true }],
   initialisation: 'arap:3',
   options: { threshold: 1e-8, max_iterations: 150, adaptive_p: false },
   locality: 5,
@@ -89,10 +90,9 @@ test('is nowhere as in a net just opened, but for the method of the first module
 });
 
 test('goes to the other module, and on from there bit for bit', async () => {
-  // An initialisation is followed by a method that the first module lacks.
+  // An initialisation is followed by a method that the first module lacks, which has no soft handles either.
   const { locality: _, ...everywhere } = scene;
-  const handles = scene.handles.filter(({ weight }) => weight === undefined);
-  await openAndDrag({ ...everywhere, handles, initialisation: 'naive' });
+  await openAndDrag({ ...everywhere, handles: exactHandles, initialisation: 'naive' });
   expect(editors).toHaveLength(1);
   const before = editor().state();
   const stayed = first.openRecipe(recipe);
