@@ -1,7 +1,7 @@
 // What chebnet_editor has in place of sources that it does without (left_out.cmake): OBJ, edge tables, flat patterns,
-// nets pushed through, handles that slide, are soft, turn together or are drawn where no way leads, limits
-// that give way, localities, shapes that are relaxed, surfaces, families of net lines and rods that were bent
-// beforehand. Called, they throw the code "left_out".
+// nets pushed through, handles that slide, are soft, turn together or are drawn where no way leads, limits that give
+// way, localities, shapes that are relaxed, surfaces, families of net lines and rods that were bent beforehand. Called,
+// they throw the code "left_out".
 
 #include <cmath>
 #include <memory>
@@ -100,7 +100,7 @@ Status RestDescent::follow_pulls(Positions&, TraceRow&) { return Status::running
 void RestDescent::follow_lone_pulls(std::span<const std::vector<int>>, std::span<const Pull>, Positions&) {}
 void check_slide(int, Axes, bool) { leave_to_the_whole_core(); }
 // Never called where no handle has passed that check.
-void TangentNewton::find_free_motions(std::span<const Pull>, const Options&) {}
+void TangentNewton::find_free_motions(bool, std::span<const Pull>, const Options&) {}
 void FreeMotions::begin(const Positions&) {}
 void FreeMotions::take_out(Eigen::Matrix3Xd&) const {}
 void LengthSystem::set_slides(std::span<const Slide>) {}

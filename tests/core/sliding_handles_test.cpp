@@ -10,6 +10,7 @@
 #include "first_order.h"
 #include "net/measures.h"
 #include "sample_nets.h"
+#include "sample_surfaces.h"
 #include "solve/method.h"
 
 using namespace chebnet;
@@ -139,6 +140,23 @@ TEST_CASE("A sheet whose feet slide on the ground does not turn while a soft han
         CHECK(before.cross(now).norm() < std::sin(0.2 * samples::k_degree) * before.norm() * now.norm());
     }
     CHECK(new_folds(net, net.rest_positions(), editor.positions()) == 0);
+}
+
+TEST_CASE("A net on feet that slide goes to a guide that it is given only then") {
+    const int n = 11;
+    const Net net = samples::patch(n, n, 0);
+    Editor editor = editor_of(net, {sliding(net, 0, k_ground), sliding(net, n - 1, k_ground),
+                                    sliding(net, n * (n - 1), k_ground), sliding(net, n * n - 1, k_ground)});
+    editor.move_handle(0, editor.handles()[0].target + Eigen::Vector3d(0, 0, 0.1));
+    REQUIRE(editor.solve().status == Status::converged);
+    const Eigen::Vector3d before = editor.positions().rowwise().mean();
+    // A slope, which meets the ground beside the middle of the net.
+    Mesh mesh = samples::graph(2, 40, [](double x, double) { return 0.2 * x; });
+    mesh.positions.colwise() += before + Eigen::Vector3d(3, 0, 0);
+    editor.set_guide(std::make_shared<const Guide>(Surface(mesh)));
+    editor.set_option("guide_mode", std::to_string(static_cast<int>(GuideMode::near)));
+    CHECK(editor.solve().status == Status::converged);
+    CHECK(editor.positions().row(0).mean() > before.x() + 0.5);
 }
 
 TEST_CASE("A strip with one foot fixed and one that slides up and down hangs straight down") {

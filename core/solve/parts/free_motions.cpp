@@ -61,8 +61,8 @@ void FreeMotions::take_out(Eigen::Matrix3Xd& vectors) const {
     for (const Eigen::Matrix3Xd& motion : m_motions) vectors -= ordered_dot(motion, vectors) * motion;
 }
 
-void TangentNewton::find_free_motions(std::span<const Pull> pulls, const Options& options) {
-    m_free_motions = std::make_shared<FreeMotions>(m_fixed, m_slides, pulls, options);
+void TangentNewton::find_free_motions(bool is_guided, std::span<const Pull> pulls, const Options& options) {
+    m_free_motions = is_guided ? nullptr : std::make_shared<FreeMotions>(m_fixed, m_slides, pulls, options);
 }
 
 }  // namespace chebnet

@@ -11,8 +11,8 @@
 namespace chebnet {
 
 /// The way of what soft handles pull towards, from where the net knows it to where it is to be, gone in steps of an
-/// edge length at most as a hand would: a stiff one that pulled from afar at once would crumple the net around its
-/// vertex. What is softer, or yields, pulls towards its target from the beginning.
+/// edge length, or if it is far, in fifty, as a hand would: a stiff one that pulled from afar at once would crumple the
+/// net around its vertex. What is softer, or yields, pulls towards its target from the beginning.
 class PullWalk {
 public:
     /// Whether a pull is stiff enough to walk.

@@ -40,8 +40,8 @@ public:
     TangentNewton(const Net& net, const Topology& topology, const FreePart& part, std::span<const Slide> slides = {});
     ~TangentNewton();
 
-    /// Moves have nothing of what nothing resists from now on; `options`: see FreeMotions.
-    void find_free_motions(std::span<const Pull> pulls, const Options& options);
+    /// Moves have nothing of what nothing resists from now on, see FreeMotions. A guide resists everything.
+    void find_free_motions(bool is_guided, std::span<const Pull> pulls, const Options& options);
     /// Takes over the bounds of these terms, and factors M anew.
     void set_metric(std::span<const std::unique_ptr<Term>> terms);
     /// How free vertices follow if fixed ones move by the columns of `moves` (3×V), and those that slide by what they
