@@ -28,6 +28,7 @@ async function save(format: string): Promise<{ name: string; bytes: Uint8Array<A
   const download = visit.page.waitForEvent('download');
   await menu().getByRole('button', { name: format }).click();
   const saved = await download;
+  await visit.page.getByRole('status').getByText(`Exported: ${saved.suggestedFilename()}`, { exact: true }).waitFor();
   return { name: saved.suggestedFilename(), bytes: Uint8Array.from(await readFile(await saved.path())) };
 }
 

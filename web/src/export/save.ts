@@ -24,7 +24,7 @@ interface Saveable {
   exported(format: string): Promise<Uint8Array<ArrayBuffer>>;
   flatPattern(): Promise<FlatPattern | PatternFault>;
   rods(): Promise<VertexLists>;
-  say(message: string, action: { label: string; run(): void }): void;
+  say(message: string, action?: { label: string; run(): void }): void;
 }
 
 interface SaveParts {
@@ -39,13 +39,16 @@ interface SaveParts {
 const CUT_HELPS: readonly PatternFault['reason'][] = ['singular', 'closed', 'overlap', 'touching'];
 
 export async function save(request: SaveRequest, parts: SaveParts): Promise<void> {
-  const { opening } = parts.app;
+  const { app } = parts;
+  const { opening, formats } = app;
   if (opening === null) return;
   const content = await contentOf(request, opening, parts);
   if (content === null) return;
-  const { formats } = parts.app;
   const extension = request.kind === 'csv' && request.table !== 'edges' ? `${request.table}.csv` : request.kind;
-  download(fileNameOf(opening.document.net, extension, formats), content, typeOf(request.kind, formats));
+  const name = fileNameOf(opening.document.net, extension, formats);
+  download(name, content, typeOf(request.kind, formats));
+  // A browser may save it without a word, and shows none of it to a screen reader.
+  app.say(panelWords.saving.done(name));
 }
 
 /** Null: there is none, and why is said with a way out. */

@@ -496,6 +496,7 @@ export const panels = {
   },
   saving: {
     layers: { mesh: 'Mesh', rods: 'Rods' },
+    done: (file: string) => `Exported: ${file}`,
     failed: (reason: string) => `The file could not be made: ${reason}`,
     notStarted: 'the program for it could not be loaded',
     pattern: {

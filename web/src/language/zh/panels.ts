@@ -678,6 +678,7 @@ export const panels: Widened<typeof en> = {
   },
   saving: {
     layers: { mesh: '网格', rods: '杆' },
+    done: (file) => `已导出：${file}`,
     failed: (reason) => `无法生成文件：${reason}`,
     notStarted: '无法加载所需的程序',
     pattern: {
