@@ -209,6 +209,7 @@ private:
     void prepare();
     void draw_targets_near();
     bool draw_within_reach(Eigen::Matrix3Xd& targets) const;
+    Eigen::Vector3d place_across_axes(const Handle& handle) const;
     bool find_taut_lines();
     void load_positions();
     void store_positions();

@@ -289,14 +289,23 @@ void Editor::load_positions() {
     for (std::size_t i = 0; i < m_handles.size(); ++i) {
         const Handle& handle = m_handles[i];
         double* position = m_unit_positions.col(handle.vertex).data();
-        if (now.is_held(handle))
+        if (now.is_held(handle)) {
             copy_along(k_all_axes - handle.slides, m_near_targets.col(static_cast<Eigen::Index>(i)).data(), position);
-        else
-            copy_along(k_all_axes - now.axes(handle), Eigen::Vector3d(handle.target / m_unit).data(), position);
+        } else {
+            const Eigen::Vector3d kept = place_across_axes(handle) / m_unit;
+            copy_along(k_all_axes - now.axes(handle), kept.data(), position);
+        }
     }
     const Eigen::Matrix3Xd places = places_of(m_taut, m_near_targets);
     for (std::size_t i = 0; i < m_taut.size(); ++i)
         m_unit_positions.col(m_taut[i].vertex) = places.col(static_cast<Eigen::Index>(i));
+}
+
+/// Where what is held back is across the axes to which its hand keeps it. As far away as a target may be an edge has no
+/// digits left.
+Eigen::Vector3d Editor::place_across_axes(const Handle& handle) const {
+    return drawn_near(handle.target, m_net->rest_positions().col(handle.vertex),
+                      k_farthest_target * m_net->mean_length());
 }
 
 /// What stands where the solver has left it has the solver's own digits.

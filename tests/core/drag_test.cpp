@@ -90,6 +90,24 @@ TEST_CASE("Drag: a hand that is kept to an axis or a plane leaves neither when i
     CHECK(max_deviation(taken.net, taken.editor.positions()) < k_at_rest);
 }
 
+TEST_CASE("Drag: what a hand has pulled taut comes to rest where it is let go") {
+    const Shape shape = make_shape("scroll:vertices=900");
+    Editor editor(shape.net);
+    editor.set_handles(samples::handles_at_rest(shape.net, shape.suggested_handles));
+    editor.solve();
+    const int vertex = shape.suggested_handles.back();
+    const Eigen::Vector3d from = editor.positions().col(vertex);
+    const Eigen::Vector3d way = shape.net.mean_length() * Eigen::Vector3d(3.7, 1.5, -0.8);
+    for (int frame = 1; frame <= 30; ++frame) {
+        editor.drag_handle(vertex, from + way * frame / 30);
+        editor.solve({.iterations = 1});
+    }
+    REQUIRE(editor.holds_back());
+    editor.release_handles();
+    CHECK(editor.solve().status == Status::converged);
+    CHECK((editor.positions().col(vertex) - from).norm() < 0.5 * way.norm());
+}
+
 TEST_CASE("Drag: along numbers that are no axes it is refused, and nothing has changed") {
     Taken taken;
     const Axes along = GENERATE(-1, 0, 8);

@@ -32,24 +32,24 @@ bool LengthProjection::project(Positions& positions) {
 bool LengthProjection::project_assembled(Positions& positions) {
     m_rhs = m_system.errors();
     m_factorisation_ms = 0;
-    if (!solve_from(nullptr, k_tolerance)) return false;
+    if (!solve_from(nullptr, k_tolerance, LengthSystem::k_shift)) return false;
     m_multipliers *= -1;
     m_system.add_pull(m_multipliers, positions);
     return true;
 }
 
-bool LengthProjection::solve(const Eigen::VectorXd& rhs, double tolerance, Eigen::VectorXd& y) {
+bool LengthProjection::solve(const Eigen::VectorXd& rhs, double tolerance, Eigen::VectorXd& y, double shift) {
     m_rhs = rhs;
-    if (!solve_from(&y, tolerance)) return false;
+    if (!solve_from(&y, tolerance, shift)) return false;
     y = m_multipliers;
     return true;
 }
 
 /// Without a guess: from zero.
-bool LengthProjection::solve_from(const Eigen::VectorXd* guess, double tolerance) {
-    if (m_system.has_factor() && solve_by_conjugate_gradients(guess, tolerance)) return true;
+bool LengthProjection::solve_from(const Eigen::VectorXd* guess, double tolerance, double shift) {
+    if (m_system.has_factor() && solve_by_conjugate_gradients(guess, tolerance, shift)) return true;
     if (!factorize()) return false;
-    solve_by_conjugate_gradients(guess, tolerance);
+    solve_by_conjugate_gradients(guess, tolerance, shift);
     return m_multipliers.allFinite();
 }
 
@@ -61,11 +61,11 @@ bool LengthProjection::factorize() {
 }
 
 /// False if the tolerance is not reached; then the multipliers are as good as the iterations made them.
-bool LengthProjection::solve_by_conjugate_gradients(const Eigen::VectorXd* guess, double tolerance) {
+bool LengthProjection::solve_by_conjugate_gradients(const Eigen::VectorXd* guess, double tolerance, double shift) {
     m_residual = m_rhs;
     if (guess != nullptr) {
         m_multipliers = *guess;
-        m_system.multiply(m_multipliers, m_image);
+        m_system.multiply(m_multipliers, m_image, shift);
         m_residual -= m_image;
     } else {
         m_multipliers.setZero();
@@ -80,7 +80,7 @@ bool LengthProjection::solve_by_conjugate_gradients(const Eigen::VectorXd* guess
             m_search = m_preconditioned;
         else
             m_search = m_preconditioned + product / previous * m_search;
-        m_system.multiply(m_search, m_image);
+        m_system.multiply(m_search, m_image, shift);
         const double step = product / ordered_dot(m_search, m_image);
         m_multipliers += step * m_search;
         m_residual -= step * m_image;

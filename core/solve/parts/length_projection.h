@@ -39,15 +39,15 @@ public:
     double factorisation_ms() const { return m_factorisation_ms; }  ///< of the last projection
 
     /// Solves (J W Jᵀ) y = rhs at the positions the system has been assembled for, until `tolerance` of the right-hand
-    /// side is left; `y` is the guess to begin with. False if it cannot be solved.
-    bool solve(const Eigen::VectorXd& rhs, double tolerance, Eigen::VectorXd& y);
+    /// side is left; `y` is the guess to begin with. `shift`: of the diagonal. False if it cannot be solved.
+    bool solve(const Eigen::VectorXd& rhs, double tolerance, Eigen::VectorXd& y, double shift = LengthSystem::k_shift);
     LengthSystem& system() { return m_system; }
     const LengthSystem& system() const { return m_system; }
 
 private:
-    bool solve_from(const Eigen::VectorXd* guess, double tolerance);
+    bool solve_from(const Eigen::VectorXd* guess, double tolerance, double shift);
     bool factorize();
-    bool solve_by_conjugate_gradients(const Eigen::VectorXd* guess, double tolerance);
+    bool solve_by_conjugate_gradients(const Eigen::VectorXd* guess, double tolerance, double shift);
 
     LengthSystem m_system;
     Eigen::VectorXd m_rhs, m_multipliers;

@@ -11,9 +11,7 @@ namespace chebnet {
 
 namespace {
 
-// Keeps the system definite where constraints depend on each other, e.g. beside handles that are close together.
-constexpr double k_shift = 1e-9;
-// The same for its factor in single precision.
+// Of the factor in single precision, as LengthSystem::k_shift is of the system.
 constexpr double k_factor_shift = 1e-6;
 // Two vertices in one place, as of a quad that is folded onto itself, go apart along this: any direction but that of an
 // axis, across which such a quad may lie.
@@ -128,8 +126,9 @@ void LengthSystem::precondition(const Eigen::VectorXd& from, Eigen::VectorXd& to
     for (Eigen::Index row = 0; row < from.size(); ++row) to[row] = m_permuted[place[row]];
 }
 
-void LengthSystem::multiply(const Eigen::VectorXd& from, Eigen::VectorXd& to) const {
-    for (Eigen::Index row = 0; row < from.size(); ++row) to[row] = m_diagonal[row][0] * from[row];
+void LengthSystem::multiply(const Eigen::VectorXd& from, Eigen::VectorXd& to, double shift) const {
+    const double of_diagonal = (1 + shift) / (1 + k_shift);
+    for (Eigen::Index row = 0; row < from.size(); ++row) to[row] = of_diagonal * m_diagonal[row][0] * from[row];
     for (std::size_t k = 0; k < m_couplings.size(); ++k) {
         const auto& [a, b, vertex, sign] = m_couplings[k];
         to[a] += m_off_diagonal[k][0] * from[b];

@@ -20,6 +20,11 @@ namespace chebnet {
 /// older. Nothing is allocated after construction.
 class LengthSystem {
 public:
+    /// Keeps the system definite where constraints depend on each other, e.g. beside handles that are close together.
+    static constexpr double k_shift = 1e-9;
+    /// Enough where only a part of the right-hand side is in question that the constraints can bear.
+    static constexpr double k_least_shift = 1e-11;
+
     /// Orders and analyses the system, whatever the handles will be. Throws Error too_large where it would need more
     /// than k_most_factor_bytes, and for vertices of so many edges, all of which it couples, that factoring what they
     /// fill would take long: one of more than 2,000, or several of fewer.
@@ -45,7 +50,8 @@ public:
     const Eigen::Matrix3Xd& jacobian() const { return m_jacobian; }
     /// c at the positions assembled last; 0 between two handles, which cannot change, and for rows that are off.
     const Eigen::VectorXd& errors() const { return m_errors; }
-    void multiply(const Eigen::VectorXd& from, Eigen::VectorXd& to) const;
+    /// Applies the system, with a diagonal larger by this part.
+    void multiply(const Eigen::VectorXd& from, Eigen::VectorXd& to, double shift) const;
 
     /// J d, for moves d of the vertices, 3×V.
     void stretch(const Eigen::Matrix3Xd& moves, Eigen::VectorXd& changes) const;

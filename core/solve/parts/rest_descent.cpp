@@ -151,7 +151,8 @@ bool RestDescent::project(Positions& positions, double threshold) {
 void RestDescent::begin_solve(bool is_as_left) {
     m_pulls_are_known = is_as_left;
     m_steps = 0;
-    m_has_given_way = false;
+    m_has_given_way = m_has_whole_tension = false;
+    if (m_newton) m_newton->set_shift(LengthSystem::k_shift);
 }
 
 void RestDescent::enter(const Positions& positions) {
@@ -171,8 +172,21 @@ Status RestDescent::relax(Positions& positions, TraceRow& row) {
     if (m_steps == 0) give_way(positions);
     const Status status = step_to_rest(positions, row);
     if (status != Status::running && give_way(positions)) return Status::running;
+    if (status == Status::exact && takes_tension_whole(positions)) return Status::running;
     if (status == Status::exact) refine_lengths(positions);
     return status;
+}
+
+/// Where a net would end short of rest: from now on lines that are nearly straight have all of their tension. False if
+/// they had it before.
+bool RestDescent::takes_tension_whole(const Positions& positions) {
+    if (m_has_whole_tension) return false;
+    m_has_whole_tension = true;
+    m_newton->set_shift(LengthSystem::k_least_shift);
+    m_radius = k_most_move * m_net->mean_length();
+    m_is_careful = false;
+    m_idle_steps = 0;
+    return linearise(positions);
 }
 
 Status RestDescent::step_to_rest(Positions& positions, TraceRow& row) {

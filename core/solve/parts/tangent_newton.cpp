@@ -85,7 +85,7 @@ bool TangentNewton::linearise(const Positions& x, const Eigen::Matrix3Xd& gradie
     mask(m_descent);
     weigh(1, m_descent);
     system.stretch(m_descent, m_changes);
-    if (!lengths.solve(m_changes, k_multiplier_tolerance, m_multipliers)) return false;
+    if (!lengths.solve(m_changes, k_multiplier_tolerance, m_multipliers, m_shift)) return false;
     system.add_pull(-m_multipliers, m_descent);
     weigh(-1, m_descent);
     m_normal.setZero(3, m_net.vertex_count());
