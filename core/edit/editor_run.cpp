@@ -78,7 +78,8 @@ void Editor::run(const Budget& budget, const Stopwatch& watch, bool has_moved, S
         if (has_no_more) report.status = m_run.reachable ? Status::max_iterations : Status::unreachable;
         if (has_no_more && !draws_handles()) return;
         if (report.status != Status::running) {
-            if (has_moved) store_positions();
+            // Where nothing is free the method has nothing to do: handles alone have moved the net.
+            if (has_moved || keeps_lengths(report.status)) store_positions();
             if (!begins_again(report)) return;
             has_moved = false;
             continue;

@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -106,6 +107,24 @@ TEST_CASE("Drag: what a hand has pulled taut comes to rest where it is let go") 
     editor.release_handles();
     CHECK(editor.solve().status == Status::converged);
     CHECK((editor.positions().col(vertex) - from).norm() < 0.5 * way.norm());
+}
+
+TEST_CASE("Drag: hands that hold every vertex take the net along, also in the last frame") {
+    const int frames = GENERATE(1, 5);
+    const Net net = samples::patch(4, 4, 0.4);
+    std::vector<int> all(16);
+    std::iota(all.begin(), all.end(), 0);
+    Editor editor(net);
+    editor.set_handles(samples::handles_at_rest(net, all));
+    editor.solve();
+    const Eigen::Vector3d way(3, -2, 1);
+    for (int frame = 1; frame <= frames; ++frame) {
+        for (int v : all) editor.drag_handle(v, net.rest_positions().col(v) + way * frame / frames);
+        if (frame == frames) editor.release_handles();
+        CHECK(editor.solve().status == Status::converged);
+    }
+    CHECK(editor.positions() == net.rest_positions().colwise() + way);
+    CHECK(editor.handles()[5].target == net.rest_positions().col(5) + way);
 }
 
 TEST_CASE("Drag: along numbers that are no axes it is refused, and nothing has changed") {
