@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <queue>
 #include <string>
@@ -86,27 +87,46 @@ private:
             throw Error(ErrorCode::bad_option, "the direction stands upright on the surface at the seed");
         const Eigen::Vector3d u = laid.normalized();
         const Eigen::Vector3d v = std::cos(m_options.angle) * u + std::sin(m_options.angle) * normal.cross(u);
-        const std::array<Eigen::Vector3d, k_arms> directions = {u, v, -u, -v};
-        for (int arm = 0; arm < k_arms; ++arm)
-            if (!m_curve || k_steps[arm].j != 0) run_arm(arm, directions[arm]);
-    }
-
-    void run_arm(int arm, Eigen::Vector3d direction, int last = 0) {
-        while (is_on_surface(m_vertices[last])) {
-            bend(arm, last, direction);
-            const auto vertex = m_compass.straight_on(m_vertices[last], direction);
-            const GridPlace place = m_places[last] + k_steps[arm];
-            if (!vertex || !is_allowed(place, *vertex, last)) return;
-            last = add(place, *vertex);
+        std::vector<Arm> growing = {{0, u}, {1, v}, {2, -u}, {3, -v}};
+        if (m_curve) std::erase_if(growing, [](const Arm& arm) { return k_steps[arm.number].j == 0; });
+        // What lies between the arms keeps pace with them: an arm that goes round a pipe or a hole before it would come
+        // to places that are nearer to the seed another way, and the net would end there.
+        for (int steps = 2; !growing.empty(); ++steps) {
+            std::erase_if(growing, [&](Arm& arm) { return !grow(arm); });
+            fill(steps);
         }
     }
 
-    /// At a vertex of an arm, towards the next.
-    void bend(int arm, int at, Eigen::Vector3d& direction) const {
-        const double way = m_places[at].steps() * m_options.length, half = m_options.length / 2;
-        const double turn = m_bent.at(arm, way + half) - m_bent.at(arm, way - half);
+    /// A line of edges from the seed, up to its last vertex.
+    struct Arm {
+        int number;
+        Eigen::Vector3d direction;
+        int last = 0;
+    };
+
+    void run(Arm arm) {
+        while (grow(arm)) {
+        }
+    }
+
+    /// By an edge. False where none fits.
+    bool grow(Arm& arm) {
+        if (!is_on_surface(m_vertices[arm.last])) return false;
+        bend(arm);
+        const auto vertex = m_compass.straight_on(m_vertices[arm.last], arm.direction);
+        const GridPlace place = m_places[arm.last] + k_steps[arm.number];
+        if (!vertex || !is_allowed(place, *vertex, arm.last)) return false;
+        arm.last = add(place, *vertex);
+        return true;
+    }
+
+    /// At its last vertex, towards the next.
+    void bend(Arm& arm) const {
+        const double way = m_places[arm.last].steps() * m_options.length, half = m_options.length / 2;
+        const double turn = m_bent.at(arm.number, way + half) - m_bent.at(arm.number, way - half);
         if (turn == 0) return;
-        direction = std::cos(turn) * direction + std::sin(turn) * m_vertices[at].normal.cross(direction);
+        const Eigen::Vector3d left = m_vertices[arm.last].normal.cross(arm.direction);
+        arm.direction = std::cos(turn) * arm.direction + std::sin(turn) * left;
     }
 
     /// Sets the arms of the first family along the curve, and straight on behind its ends. Gives its direction at the
@@ -120,7 +140,7 @@ private:
         for (const bool forwards : {true, false}) {
             if (ends[forwards] < 0) continue;
             const int last = ends[forwards], i = m_places[last].i, step = forwards ? 1 : -1;
-            run_arm(forwards ? 0 : 2, at(i) - at(i - step), last);
+            run({forwards ? 0 : 2, at(i) - at(i - step), last});
         }
         return direction;
     }
@@ -149,9 +169,9 @@ private:
                                                text(next.y()) + " " + text(next.z()));
     }
 
-    /// Sets every vertex that has three of a cell's before it.
-    void fill() {
-        while (!m_waiting.empty()) {
+    /// Sets every vertex within so many steps from the seed that has three of a cell's before it.
+    void fill(int steps = std::numeric_limits<int>::max()) {
+        while (!m_waiting.empty() && m_waiting.top().steps() <= steps) {
             const GridPlace place = m_waiting.top();
             m_waiting.pop();
             for (const Corner& corner : corners_at(place))

@@ -220,6 +220,30 @@ TEST_CASE("A net goes round a cylinder until it meets itself") {
     CHECK(columns <= 62);
 }
 
+TEST_CASE("A net goes round a pipe and a torus wherever it begins, and its arms do not shut it in") {
+    constexpr unsigned k_seed = 20261130;
+    CAPTURE(k_seed);
+    std::mt19937 random(k_seed);
+    const auto mean_coverage = [&](const Mesh& mesh, double length) {
+        const Surface surface(mesh);
+        const SurfaceTree tree(surface);
+        constexpr int k_nets = 10;
+        double sum = 0;
+        for (int k = 0; k < k_nets; ++k) {
+            DrapeOptions options;
+            options.length = length;
+            options.seed = surface.position_at(samples::random_place(surface, random));
+            options.direction = samples::random_point(1, random);
+            const Drape drape = chebnet::drape(surface, tree, options);
+            CHECK(max_deviation(drape.net, drape.net.rest_positions()) < samples::k_exact);
+            sum += measure_drape(surface, tree, drape.net).coverage / k_nets;
+        }
+        return sum;
+    };
+    CHECK(mean_coverage(samples::cylinder(60, 41, 3), 0.15) > 0.97);
+    CHECK(mean_coverage(samples::torus(60, 30, 2, 0.8), 0.15) > 0.9);
+}
+
 TEST_CASE(
     "A ramp that winds twice is covered from end to end, though its net would lie on itself if it were unrolled") {
     const Mesh ramp = samples::quads(161, 17, false, false, [](int i, int j) {
