@@ -4,6 +4,7 @@
 // they throw the code "left_out".
 
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -34,6 +35,9 @@
 namespace chebnet {
 
 namespace {
+
+// Fewer that are held let a net turn as a whole.
+constexpr std::size_t k_least_held = 3;
 
 [[noreturn]] void leave_to_the_whole_core() {
     throw_to_javascript("left_out", "chebnet_core can do this, chebnet_editor cannot");
@@ -99,8 +103,10 @@ void RestDescent::begin_pull_walk(const Positions&) {}
 Status RestDescent::follow_pulls(Positions&, TraceRow&) { return Status::running; }
 void RestDescent::follow_lone_pulls(std::span<const std::vector<int>>, std::span<const Pull>, Positions&) {}
 void check_slide(int, Axes, bool) { leave_to_the_whole_core(); }
+void TangentNewton::find_free_motions(bool is_guided, std::span<const Pull>, const Options&) {
+    if (!is_guided && m_fixed.size() < k_least_held) leave_to_the_whole_core();
+}
 // Never called where no handle has passed that check.
-void TangentNewton::find_free_motions(bool, std::span<const Pull>, const Options&) {}
 void FreeMotions::begin(const Positions&) {}
 void FreeMotions::take_out(Eigen::Matrix3Xd&) const {}
 void LengthSystem::set_slides(std::span<const Slide>) {}

@@ -127,6 +127,39 @@ TEST_CASE("Drag: hands that hold every vertex take the net along, also in the la
     CHECK(editor.handles()[5].target == net.rest_positions().col(5) + way);
 }
 
+TEST_CASE("Drag: a net that one or two handles hold does not spin about them, in however many frames they move") {
+    const std::vector<int> held = GENERATE(std::vector{60, 120}, std::vector{0, 120});
+    const Net net = samples::patch(11, 11, 0.4);
+    const auto moved_in = [&](int frames) {
+        Editor editor(net);
+        editor.set_handles(samples::handles_at_rest(net, held));
+        editor.solve();
+        const Eigen::Vector3d from = net.rest_positions().col(120),
+                              way = 4 * net.mean_length() * Eigen::Vector3d(-1, -1, 1);
+        for (int frame = 1; frame <= frames; ++frame) {
+            editor.drag_handle(120, from + way * frame / frames);
+            editor.solve({.iterations = 1});
+        }
+        editor.release_handles();
+        CHECK(editor.solve().status == Status::converged);
+        return editor.positions();
+    };
+    const Positions few = moved_in(8), many = moved_in(100);
+    CHECK((few - many).colwise().norm().maxCoeff() < 0.1 * net.mean_length());
+}
+
+TEST_CASE("Handles that move together take a net along as it is, though one or two leave it free to turn") {
+    const std::vector<int> held = GENERATE(std::vector{3}, std::vector{0, 5}, std::vector{0, 5, 10});
+    const Net net = samples::patch(11, 11, 0.4);
+    const Eigen::Vector3d way(3, -2, 1);
+    Editor editor(net);
+    std::vector<Handle> handles = samples::handles_at_rest(net, held);
+    for (Handle& handle : handles) handle.target += way;
+    editor.set_handles(handles);
+    CHECK(editor.solve().status == Status::converged);
+    CHECK((editor.positions() - (net.rest_positions().colwise() + way)).norm() < 1e-6 * net.mean_length());
+}
+
 TEST_CASE("Drag: along numbers that are no axes it is refused, and nothing has changed") {
     Taken taken;
     const Axes along = GENERATE(-1, 0, 8);

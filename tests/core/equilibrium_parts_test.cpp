@@ -337,6 +337,7 @@ TEST_CASE("A short part of any move is that part of it, but for its square, and 
 
 TEST_CASE("What nothing resists is taken out of moves: turns about what is held, and shifts on the ground") {
     const Net net = samples::patch(5, 4);
+    const Topology topology(net);
     const Positions& x = net.rest_positions();
     const std::vector<Slide> feet{{0, 3}, {4, 3}, {15, 3}}, on_rails{{0, 1}, {4, 1}};
     const std::vector<Pull> pull{{12, x.col(12), 1}}, pulls{{12, x.col(12), 1}, {3, x.col(3), 1}};
@@ -348,7 +349,8 @@ TEST_CASE("What nothing resists is taken out of moves: turns about what is held,
     shift.colwise() = Eigen::Vector3d::UnitX();
     const auto rest = [&](const Eigen::Matrix3Xd& move, const std::vector<Slide>& slides,
                           const std::vector<Pull>& drawn, const Options& options = {}) {
-        FreeMotions motions({}, slides, drawn, options);
+        FreeMotions motions(net, topology, {}, slides);
+        motions.set_forces(drawn, options);
         motions.begin(x);
         Eigen::Matrix3Xd left = move;
         motions.take_out(left);

@@ -43,6 +43,18 @@ RigidMotion placing(const Positions& shape, const Positions& to, const Eigen::Ve
     return fit_rigid_motion(shape, to, (is_held.array() + k_free_weight / static_cast<double>(to.cols())).matrix());
 }
 
+/// Moves what is free of a piece as what is held does on the average, so that handles which move together turn nothing.
+void carry_along(const std::vector<int>& piece, const Eigen::VectorXd& is_held, const Positions& from, Positions& to) {
+    Eigen::Vector3d moves = Eigen::Vector3d::Zero();
+    double held = 0;
+    for (int v : piece) {
+        held += is_held[v];
+        moves += to.col(v) - from.col(v);  // of what is held, so far
+    }
+    for (int v : piece)
+        if (held > 0 && is_held[v] == 0) to.col(v) += moves / held;
+}
+
 }  // namespace
 
 void HandleWalk::set_handles(HeldVertices held, const Topology& topology) {
@@ -102,6 +114,7 @@ Positions HandleWalk::placed(const Positions& shape, const Positions& like) cons
     Eigen::VectorXd is_held = Eigen::VectorXd::Zero(to.cols());
     for (int v : m_held.vertices()) is_held[v] = 1;
     for (const std::vector<int>& piece : m_pieces) {
+        carry_along(piece, is_held, like, to);
         const RigidMotion motion =
             m_pieces.size() == 1 ? placing(shape, to, is_held)
                                  : placing(columns_of(shape, piece), columns_of(to, piece), entries_of(is_held, piece));

@@ -100,7 +100,7 @@ void RestDescent::prepare(const FreePart& part, const std::vector<bool>& is_free
         m_newton = std::make_unique<TangentNewton>(*m_net, *m_topology, part, slides);
         m_is_loose = loose_vertices(*m_topology, is_free, slides, pulls);
     }
-    if (!slides.empty()) m_newton->find_free_motions(m_is_guided, pulls, m_options);
+    m_newton->find_free_motions(m_is_guided, pulls, m_options);
     if (!m_constraints)
         m_constraints =
             std::make_unique<NetConstraints>(*m_net, *m_topology, m_limit, is_free, slides, pulls, positions);

@@ -71,7 +71,7 @@ void TangentNewton::mask(Eigen::Matrix3Xd& vectors) const {
 bool TangentNewton::linearise(const Positions& x, const Eigen::Matrix3Xd& gradient, LengthProjection& lengths) {
     Stopwatch watch;
     m_lengths = &lengths;
-    if (m_free_motions) m_free_motions->begin(x);
+    if (m_is_free) m_free_motions->begin(x);
     LengthSystem& system = lengths.system();
     if (m_multipliers.size() != system.row_count())
         for (Eigen::VectorXd* vector : {&m_multipliers, &m_changes, &m_pulls}) vector->setZero(system.row_count());
@@ -111,7 +111,9 @@ void TangentNewton::project(Eigen::Matrix3Xd& moves) {
     system.precondition(m_changes, m_pulls);
     m_pulls *= -1;
     system.add_pull(m_pulls, moves);
-    if (m_free_motions) m_free_motions->take_out(moves);
+    if (!m_is_free) return;
+    m_free_motions->take_out(moves);
+    mask(moves);
 }
 
 /// f −= Jᵀ (J W Jᵀ)⁻¹ J W f, the transpose of project().
