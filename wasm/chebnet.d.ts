@@ -675,8 +675,9 @@ export interface RemeshOptions {
    *  average: cells shear where others would have one. Takes longer; not where creases are followed, nor together with `singular`
    *  or `only`. */
   fewest?: boolean;
-  /** Net lines follow edges of the surface that are sharper than this angle between two triangles' normals, in radians; 0,
-   *  unless said otherwise: no edge is followed. */
+  /** Net lines follow edges of the surface that are sharper than this angle between two triangles' normals, in radians; 0: no
+   *  edge is followed. Unless said otherwise nets that follow edges sharper than 30° are tried, too, if `fewest` is not asked
+   *  for, and made where they lie better. */
   crease?: number;
   /** And curves that are marked on the surface, each by points near it, at least two, joined by shortest ways; the last may be
    *  the first again. Not always followed: see `kept` of what comes of it, and core/remesh/marked_creases.h. */

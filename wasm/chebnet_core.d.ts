@@ -146,7 +146,10 @@ export interface CoreLengthAdapter {
 export type CoreDrapeOptions = Required<Omit<DrapeOptions, 'along'>> & { along: Float64Array };
 
 /** `markedCreases`: likewise, each. */
-export type CoreRemeshOptions = Required<Omit<RemeshOptions, 'markedCreases'>> & { markedCreases: Float64Array[] };
+export type CoreRemeshOptions = Required<Omit<RemeshOptions, 'markedCreases'>> & {
+  triesCreases: boolean;
+  markedCreases: Float64Array[];
+};
 
 export interface CoreSurface {
   positions(): Float64Array;

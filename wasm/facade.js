@@ -603,14 +603,15 @@ function curvePoints(points, what) {
 /** @param {RemeshOptions} options @returns {CoreRemeshOptions} */
 function allRemeshOptions(options) {
   const { cells = 4000, length = 0, smallestAngle = SHEAR_LIMIT, smoothing = 1, fewest = false } = record(options, 'options of a net over a surface');
-  const { crease = 0, markedCreases = [], border = 'fitting', singular = [], forbidden = [], only = false } = options;
+  const { crease, markedCreases = [], border = 'fitting', singular = [], forbidden = [], only = false } = options;
   return {
     cells: integer(cells, 'a number of cells', 1, LARGEST_INT),
     length: size(length, 'an edge length'),
     smallestAngle: size(smallestAngle, 'the shear limit'),
     smoothing: size(smoothing, 'the smoothing'),
     fewest: fewest === true,
-    crease: size(crease, 'the angle of creases'),
+    crease: size(crease ?? 0, 'the angle of creases'),
+    triesCreases: crease === undefined,
     markedCreases: list(markedCreases, 'marked creases').map((points) => curvePoints(points, 'a marked crease')),
     border: /** @type {CoreRemeshOptions['border']} */ (text(border, 'what happens at the border', 'bad_option')),
     singular: list(singular, 'singular vertices').map((each) => ({

@@ -233,6 +233,7 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
     wanted.smoothing = options["smoothing"].as<double>();
     wanted.fewest = options["fewest"].as<bool>();
     wanted.crease = options["crease"].as<double>();
+    wanted.tries_creases = options["triesCreases"].as<bool>();
     for (const val& points : emscripten::vecFromJSArray<val>(options["markedCreases"]))
         wanted.marked_creases.push_back(points_in(points));
     wanted.border = named(k_remesh_borders, options["border"].as<std::string>(), "border");

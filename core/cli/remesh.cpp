@@ -38,7 +38,7 @@ struct RemeshArguments {
     NetOutput output;
     RemeshOptions options;
     double smallest_angle = k_usual_limit_degrees;
-    double crease = 0;
+    std::string crease = "fitting";
     std::string border = "fitting";
     std::vector<std::string> singular, forbidden, creases;
 };
@@ -122,7 +122,7 @@ Json remesh_report(const Remesh& made, const DrapeReport& measured, const Singul
 }
 
 const char* smoother_way(const RemeshOptions& options) {
-    if (options.crease > 0) return "a net without --crease";
+    if (options.crease > 0) return "--crease fitting";
     return options.border == RemeshOptions::Border::fitting ? "more cells" : "--border fitting";
 }
 
@@ -141,6 +141,15 @@ void tell_bare(double coverage, const RemeshOptions& options) {
               << " % of the surface; without --crease it often covers more\n";
 }
 
+void read_crease(const std::string& text, RemeshOptions& options) {
+    options.tries_creases = text == "fitting";
+    if (options.tries_creases) return;
+    const std::optional<double> degrees = parse_number(text);
+    if (!degrees)
+        throw Error(ErrorCode::bad_option, "--crease wants fitting or a number, not " + chebnet::quoted(text));
+    options.crease = *degrees * k_degree;
+}
+
 int run_remesh(const RemeshArguments& arguments) {
     Surface loaded = load_surface(arguments.surface);
     Stopwatch watch;
@@ -148,7 +157,7 @@ int run_remesh(const RemeshArguments& arguments) {
     Json milliseconds = {{"tree", watch.milliseconds()}};
     RemeshOptions options = arguments.options;
     options.smallest_angle = arguments.smallest_angle * k_degree;
-    options.crease = arguments.crease * k_degree;
+    read_crease(arguments.crease, options);
     options.border = k_borders.at(arguments.border);
     read_wishes(arguments, options.singular);
     for (const std::string& text : arguments.creases)
@@ -212,9 +221,10 @@ Command add_remesh(CLI::App& program) {
     command.add_flag("--only-these", arguments->options.singular.only,
                      "No singular vertices are wanted but those of --singular");
     command
-        .add_option(
-            "--crease", arguments->crease,
-            "Net lines follow edges of the surface that are sharper than this, in degrees; 0: none are followed")
+        .add_option("--crease", arguments->crease,
+                    "Net lines follow edges of the surface that are sharper than this, in degrees; 0: none are "
+                    "followed; fitting: "
+                    "those over 30 degrees, where the net lies better so")
         ->type_name("DEGREES")
         ->capture_default_str();
     command

@@ -12,11 +12,11 @@
 #include "base/number.h"
 #include "base/stopwatch.h"
 #include "net/measures.h"
-#include "remesh/border_trials.h"
 #include "remesh/creases.h"
 #include "remesh/prepared_surface.h"
 #include "remesh/remesh_one_way.h"
 #include "remesh/rows.h"
+#include "remesh/way_trials.h"
 
 namespace chebnet {
 
@@ -32,11 +32,14 @@ void check_number(double number, double most, const char* refusal) {
     if (!(number >= 0 && number <= most)) throw Error(ErrorCode::bad_option, refusal);
 }
 
+bool has_creases(const Surface& surface, double angle) {
+    const std::vector<bool> creases = creases_of(surface, angle);
+    return std::find(creases.begin(), creases.end(), true) != creases.end();
+}
+
 /// What cannot be followed is not asked for: all that creases rule out is tried as without them.
 RemeshOptions without_absent_creases(const Surface& surface, RemeshOptions options) {
-    if (options.crease == 0) return options;
-    const std::vector<bool> creases = creases_of(surface, options.crease);
-    if (std::find(creases.begin(), creases.end(), true) == creases.end()) options.crease = 0;
+    if (options.crease > 0 && !has_creases(surface, options.crease)) options.crease = 0;
     return options;
 }
 
@@ -79,13 +82,18 @@ Remesh remesh(const std::shared_ptr<const Guide>& guide, const RemeshOptions& as
     const Stopwatch watch;
     const std::shared_ptr<const Guide> closed = without_small_holes(guide, asked);
     const RemeshOptions options = without_absent_creases(closed->surface(), asked);
-    const bool tries_ways = options.border == RemeshOptions::Border::fitting && has_border(closed->surface());
+    const bool may_crease =
+        asked.tries_creases && asked.crease == 0 && !asked.fewest && has_creases(closed->surface(), k_sharp_edge);
+    const bool fits_border = options.border == RemeshOptions::Border::fitting && has_border(closed->surface());
+    const bool tries_ways = fits_border || may_crease;
     const RemeshPhase first = tries_ways ? RemeshPhase::border : RemeshPhase::triangles;
     const std::shared_ptr<const Guide> surface = without_noise(closed, options, [&] {
         if (progress) progress(first, 0);
     });
     const double milliseconds = watch.milliseconds();
-    Remesh made = tries_ways ? remesh_best_way(surface, options, progress) : remesh_one_way(surface, options, progress);
+    // What is rough has no edges.
+    Remesh made = tries_ways ? remesh_best_way(surface, options, may_crease && surface == closed, progress)
+                             : remesh_one_way(surface, options, progress);
     made.milliseconds[static_cast<int>(first)] += milliseconds;
     Mesh rows = in_rows({made.net.rest_positions(), made.net.faces()});
     made.net = Net(std::move(rows.positions), std::move(rows.faces), RestLengths::equal);

@@ -48,6 +48,9 @@ struct RemeshOptions {
     /// Net lines follow edges of the surface that are sharper than this, in radians between the triangles' normals; 0,
     /// or where none is as sharp: no edge is followed.
     double crease = 0;
+    /// Where no angle is given, nets that follow edges sharper than 30 degrees are tried, too, and made if they lie
+    /// better: on a box. Not together with `fewest`.
+    bool tries_creases = false;
     /// And curves that are marked on the surface.
     std::vector<MarkedCrease> marked_creases = {};
     Border border = Border::fitting;
@@ -61,7 +64,7 @@ inline constexpr EnumName<RemeshOptions::Border> k_remesh_borders[] = {{"fitting
 
 /// What is done, in this order.
 enum class RemeshPhase {
-    border,     ///< the ways to end at it are tried, if there is one and no way is asked for
+    border,     ///< the ways to end at it are tried, if there is one and no way is asked for, and along sharp edges
     triangles,  ///< the surface made anew of even triangles
     singular,   ///< how many singular vertices the net can do without is tried, if that is asked for or may be all
     field,      ///< the directions of the net lines

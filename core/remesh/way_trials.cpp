@@ -1,4 +1,4 @@
-#include "remesh/border_trials.h"
+#include "remesh/way_trials.h"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +17,7 @@
 #include "drape/tilt.h"
 #include "remesh/border_distance.h"
 #include "remesh/border_sides.h"
+#include "remesh/creases.h"
 #include "remesh/one_piece.h"
 #include "remesh/prepared_surface.h"
 #include "remesh/remesh_one_way.h"
@@ -25,7 +26,7 @@ namespace chebnet {
 
 namespace {
 
-// Ways to end at the border are told apart by nets of so many cells, or of those asked for if they are no more.
+// Ways are told apart by nets of so many cells, or of those asked for if they are no more.
 constexpr int k_trial_cells = 1500;
 // Only what is clearly better is worth another net, and survives rounding.
 constexpr double k_clearly_less = 0.95;
@@ -38,18 +39,19 @@ constexpr double k_open_weight = 0.1, k_fold_weight = 1;
 constexpr double k_good_cost = 0.08;
 constexpr double k_open_angle = 40 * std::numbers::pi / 180;
 
-class BorderTrials {
+class WayTrials {
 public:
-    BorderTrials(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options,
-                 const RemeshProgress& progress)
+    WayTrials(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options, bool tries_creases,
+              const RemeshProgress& progress)
         : m_guide(guide), m_options(options), m_progress(progress) {
         m_cells = cells_asked_for(guide->surface(), options);
+        find_ways(tries_creases);
     }
 
     Remesh run() {
-        for (std::size_t k = 0; k < std::size(k_ways); ++k) {
+        for (std::size_t k = 0; k < m_ways.size(); ++k) {
             try_way(k);
-            if (k + 1 < k_rivals || !best()->is_good()) continue;
+            if (k + 1 < m_rivals || !best()->is_good()) continue;
             finish_best();
             if (m_finished.is_good()) return std::move(*m_finished.made);
         }
@@ -61,15 +63,15 @@ public:
 
 private:
     using Border = RemeshOptions::Border;
-    using Way = std::optional<RemeshOptions::Border>;  // none: in one piece
-    static constexpr Way k_ways[] = {Border::always, std::nullopt, Border::outer, Border::across, Border::never};
-    // So many are tried at least: each of them may be perfect where another is only good.
-    static constexpr std::size_t k_rivals = 3;
+    struct Way {
+        std::optional<Border> border;  // none: in one piece
+        double crease = 0;             // beside those that are asked for
+    };
     // Each takes its time.
     static constexpr int k_most_finals = 2;
 
     struct Trial {
-        Way way = std::nullopt;
+        Way way{};
         std::optional<Remesh> made;
         int missed = std::numeric_limits<int>::max();
         double cost = std::numeric_limits<double>::infinity();
@@ -81,9 +83,23 @@ private:
 
     bool are_few() const { return m_cells <= k_trial_cells; }
 
-    void try_way(std::size_t k) {
+    /// Some are tried in any case: each may be perfect where another is only good.
+    void find_ways(bool tries_creases) {
         const Surface& surface = m_guide->surface();
-        if (k_ways[k] == Border::outer && outer_border_sides(surface) == border_sides(surface)) return;
+        const bool fits_border = m_options.border == Border::fitting && has_border(surface);
+        const Border usual = fits_border ? Border::always : m_options.border;
+        if (tries_creases) m_ways.push_back({usual, k_sharp_edge});
+        m_ways.push_back({usual});
+        if (fits_border) {
+            m_ways.push_back({std::nullopt});
+            if (outer_border_sides(surface) != border_sides(surface)) m_ways.push_back({Border::outer});
+        }
+        m_rivals = m_ways.size();
+        if (fits_border)
+            for (const Border other : {Border::across, Border::never}) m_ways.push_back({other});
+    }
+
+    void try_way(std::size_t k) {
         RemeshOptions options = m_options;
         options.fewest = false;
         if (!are_few()) {
@@ -93,9 +109,9 @@ private:
         const RemeshProgress progress = [&](RemeshPhase phase, double done) {
             const int first = static_cast<int>(RemeshPhase::triangles);
             const double part = (static_cast<int>(phase) - first + done) / (k_remesh_phases - first);
-            if (m_progress) m_progress(RemeshPhase::border, (static_cast<double>(k) + part) / std::size(k_ways));
+            if (m_progress) m_progress(RemeshPhase::border, (static_cast<double>(k) + part) / m_ways.size());
         };
-        m_trials.push_back(made(k_ways[k], options, progress));
+        m_trials.push_back(made(m_ways[k], options, progress));
     }
 
     std::vector<Trial>::iterator best() {
@@ -133,11 +149,12 @@ private:
     }
 
     /// Without a net where no such is found.
-    Trial made(Way way, RemeshOptions options, const RemeshProgress& progress) {
+    Trial made(const Way& way, RemeshOptions options, const RemeshProgress& progress) {
         Trial trial;
         trial.way = way;
-        if (way) {
-            options.border = *way;
+        if (way.border) {
+            options.border = *way.border;
+            options.crease = std::max(options.crease, way.crease);
             try {
                 trial.made = remesh_one_way(m_guide, options, progress);
             } catch (const Error&) {
@@ -182,6 +199,8 @@ private:
     RemeshOptions m_options;
     const RemeshProgress& m_progress;
     double m_cells;
+    std::vector<Way> m_ways;
+    std::size_t m_rivals;  // so many of the first are tried at least
     Stopwatch m_watch;
     std::vector<Trial> m_trials;
     int m_finals = 0;              // nets made as asked for
@@ -191,9 +210,9 @@ private:
 
 }  // namespace
 
-Remesh remesh_best_way(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options,
+Remesh remesh_best_way(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options, bool tries_creases,
                        const RemeshProgress& progress) {
-    return BorderTrials(guide, options, progress).run();
+    return WayTrials(guide, options, tries_creases, progress).run();
 }
 
 }  // namespace chebnet

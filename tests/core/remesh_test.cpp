@@ -19,6 +19,7 @@
 
 #include "constants.h"
 #include "drape/drape.h"
+#include "drape/tilt.h"
 #include "hard_surfaces.h"
 #include "implicit_surface.h"
 #include "net/measures.h"
@@ -667,6 +668,54 @@ TEST_CASE("Net lines follow the creases of a box if they are asked to") {
     CHECK(off_creases(made.net) < 0.1);
     CHECK(made.singular.size() == 8);
     CHECK(corner_angle_range(made.net, made.net.rest_positions()).smallest > 75 * samples::k_degree);
+}
+
+/// Closed, of radius and height 1.
+Surface can() {
+    constexpr int k_around = 48;
+    Mesh mesh = samples::cylinder(k_around, 2, 0.5);
+    for (const double z : {-0.5, 0.5}) {
+        const auto middle = static_cast<int>(mesh.positions.cols());
+        mesh.positions.conservativeResize(3, middle + 1);
+        mesh.positions.col(middle) << 0, 0, z;
+        std::vector<int> rim;
+        for (int v = 0; v < middle; ++v)
+            if (std::abs(mesh.positions(2, v) - z) < 1e-9 && mesh.positions.col(v).head<2>().norm() > 0.5)
+                rim.push_back(v);
+        REQUIRE(rim.size() == k_around);
+        std::sort(rim.begin(), rim.end(), [&](int a, int b) {
+            const auto angle = [&](int v) { return std::atan2(mesh.positions(1, v), mesh.positions(0, v)); };
+            return angle(a) < angle(b);
+        });
+        for (int k = 0; k < k_around; ++k) {
+            const int a = rim[k], b = rim[(k + 1) % k_around];
+            mesh.faces.add(z > 0 ? std::array{a, b, middle} : std::array{b, a, middle});
+        }
+    }
+    return Surface(mesh);
+}
+
+TEST_CASE("Sharp edges are followed where the net lies better so, and only there") {
+    RemeshOptions without = of_cells(800), fitting = without, along = without;
+    fitting.tries_creases = true;
+    along.crease = k_sharp_edge;
+    const auto crumpled = [](const Surface& surface, const Remesh& made) {
+        return crumpled_edges(Guide(surface), made.net);
+    };
+    const Surface box = stretched(cube(), {3, 1.7, 1.1});
+    CHECK(crumpled(box, remeshed(box, without, 2)) > 0);
+    const Remesh on_box = remeshed(box, fitting, 2);
+    CHECK(crumpled(box, on_box) == 0);
+    CHECK(on_box.net.rest_positions() == remeshed(box, along, 2).net.rest_positions());
+
+    // The rim of a can is longer than a row of cells beside it has room for.
+    const Surface round = can();
+    const Remesh on_can = remeshed(round, fitting, 2);
+    CHECK(crumpled(round, on_can) < crumpled(round, remesh(std::make_shared<const Guide>(round), along)));
+    CHECK(on_can.net.rest_positions() == remeshed(round, without, 2).net.rest_positions());
+
+    const Surface smooth(samples::torus(48, 24, 2, 0.8));
+    CHECK(remeshed(smooth, fitting, 0).net.rest_positions() == remeshed(smooth, without, 0).net.rest_positions());
 }
 
 TEST_CASE("Net lines follow creases that meet at 60 degrees as near as equal edges allow") {

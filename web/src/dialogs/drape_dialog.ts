@@ -350,7 +350,7 @@ export class DrapeDialog implements DraperLike {
     this.#setMaking(false);
     this.#setNet(net);
     this.#picture.setNet(net, null);
-    this.#results.setNet(net, TEXT.againstFolds[this.#form.isFitting ? 'cells' : 'border']);
+    this.#results.setNet(net, TEXT.againstFolds[this.#form.wayAgainstFolds]);
     this.#singular.setNet(net);
     this.#creases.setNet(net);
   }

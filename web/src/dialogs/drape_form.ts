@@ -26,8 +26,8 @@ const LIMITS = { least: 10, usual: 30, piece: 75, whole: 60 };
 /** Where net lines may run as the surface ends, of a net over the whole of it. */
 const LINES = ['fitting', 'always', 'outer', 'across', 'never'] as const;
 
-/** Edges of the surface that are sharper are followed, degrees; 0: none are. */
-const CREASES = [0, 30, 45, 60];
+/** Edges of the surface that are sharper are followed, degrees; 0: none are; null: where the net then lies better. */
+const CREASES = [null, 0, 30, 45, 60];
 
 /** How large bumps may be that make no singular vertices; 1 as usual. */
 const SMOOTHINGS = [0, 1, 3, 10, 30];
@@ -67,7 +67,7 @@ export class DrapeForm {
   );
   readonly #crease = makeSelect(
     TEXT.crease,
-    CREASES.map((degrees) => ({ value: String(degrees), text: TEXT.creases(degrees) })),
+    CREASES.map((degrees) => ({ value: String(degrees ?? ''), text: TEXT.creases(degrees) })),
     () => this.#events.changed(),
   );
   readonly #smoothing = makeSelect(
@@ -147,20 +147,22 @@ export class DrapeForm {
     return this.#kinds.select.value === 'whole';
   }
 
-  /** Whether a net over the whole surface may end at the border, if there is one, as fits best. */
-  get isFitting(): boolean {
-    return !this.#hasBorder || this.#line.select.value === 'fitting';
+  /** What may keep a net over the whole surface from folding: what is not as fits best yet, or else more cells. */
+  get wayAgainstFolds(): 'border' | 'edges' | 'cells' {
+    if (this.#hasBorder && this.#line.select.value !== 'fitting') return 'border';
+    return this.#crease.select.value === '' ? 'cells' : 'edges';
   }
 
   /** Of a net over the whole surface. */
   readWhole(): RemeshOptions {
     const length = this.#edge;
+    const crease = this.#crease.select.value;
     return {
       ...(this.#isByLength ? { length } : { cells: Math.round(cellsOf(length, this.#area)) }),
       smallestAngle: this.#limit.input.valueAsNumber * DEGREE,
       smoothing: Number(this.#smoothing.select.value),
       fewest: this.#singular.select.value === 'fewest',
-      crease: Number(this.#crease.select.value) * DEGREE,
+      ...(crease === '' ? {} : { crease: Number(crease) * DEGREE }),
       border: this.#line.select.value as (typeof LINES)[number],
     };
   }
