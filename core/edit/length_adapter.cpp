@@ -33,9 +33,10 @@ LengthAdapter::LengthAdapter(const Editor& editor, const std::vector<Handle>& wa
       m_smallest(m_options.length_scale) {
     want(wanted);
     EditState start = editor.state();
+    if (start.locality)
+        throw Error(ErrorCode::bad_option, "with a locality edges do not grow: those beyond it stay as they are");
     start.method = k_default_method;
     start.options.threshold = std::min(m_options.threshold, k_exact);
-    start.locality.reset();
     start.positions = editor.last_net();
     for (Handle& handle : start.handles)
         if (handle.is_exact()) handle.target = start.positions.col(handle.vertex);

@@ -32,9 +32,9 @@ public:
     static constexpr double k_precision = 1e-3;
     static constexpr double k_largest_scale = 4;
 
-    /// `wanted`: where some of the editor's exact handles are to stand; the others at their targets. Soft handles pull,
-    /// and everything may move. Keeps nothing of the arguments. Throws Error index_out_of_range for a vertex without
-    /// such a handle, non_finite.
+    /// `wanted`: where some of the editor's exact handles are to stand; the others at their targets. Soft handles pull.
+    /// Keeps nothing of the arguments. Throws Error index_out_of_range for a vertex without such a handle, non_finite,
+    /// and bad_option while a locality holds.
     LengthAdapter(const Editor& editor, const std::vector<Handle>& wanted);
 
     /// Goes on until it ends or the budget runs out (status `running`; call again to go on). Ends as

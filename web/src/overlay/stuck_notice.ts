@@ -35,6 +35,8 @@ const MOST_MARKS = 500;
 const BEGINNING = { present: 0, forgotten: 0 };
 const NONE_BAD: BadCells = { off: new Set(), sharp: new Set() };
 
+type Unreachable = FrameData['unreachable'][number];
+
 type Standing = 'good' | 'stuck' | 'creased' | 'short' | 'grown' | 'growing';
 
 export class StuckNotice implements Panel {
@@ -112,6 +114,7 @@ export class StuckNotice implements Panel {
 
   setNet(net: OpenedNet): void {
     this.#net = net;
+    this.#grown = null;
     this.#places.clear();
     this.#frame = null;
     this.#mark();
@@ -173,8 +176,8 @@ export class StuckNotice implements Panel {
     setHidden(this.#back, !isBad || !this.#history?.canUndo || this.#lastGood === undefined);
     setHidden(this.#rest, standing !== 'creased');
     setHidden(this.#soften, standing !== 'stuck' || this.#candidates.length === 0);
-    setHidden(this.#grow, !isAsked || (standing === 'stuck' && this.#worst === undefined));
-    setHidden(this.#widen, standing !== 'stuck' || this.#document?.locality === undefined);
+    setHidden(this.#grow, !isAsked || this.#isLocal || (standing === 'stuck' && !isTooFar(this.#worst)));
+    setHidden(this.#widen, !isAsked || !this.#isLocal);
     setHidden(this.#stop, standing !== 'growing');
     setHidden(this.#lengthsBack, standing !== 'grown');
     setHidden(this.#dismiss, standing === 'growing');
@@ -197,11 +200,16 @@ export class StuckNotice implements Panel {
     return this.#scale === this.#grown?.to ? 'grown' : 'good';
   }
 
+  /** What may not move keeps its edges as they are. */
+  get #isLocal(): boolean {
+    return this.#document?.locality !== undefined;
+  }
+
   get #scale(): number {
     return Number(this.#document?.options[SCALE] ?? 1);
   }
 
-  get #worst(): FrameData['unreachable'][number] | undefined {
+  get #worst(): Unreachable | undefined {
     return this.#frame?.unreachable[0];
   }
 
@@ -237,7 +245,7 @@ export class StuckNotice implements Panel {
       this.#hopeless = this.#history?.revision ?? null;
       return;
     }
-    this.#grown = { to: scale, from };
+    this.#grown = scale === from ? null : { to: scale, from };
     // What fell short was the net of before; the next frame at rest may be seconds away.
     if (this.#frame) this.#frame = { ...this.#frame, fellShort: false };
   }
@@ -259,20 +267,30 @@ export class StuckNotice implements Panel {
   }
 
   #reason(standing: Standing): string {
-    const { creased, fellShort, grown, shrunk, leftSo, noLength, noShape, tooSharp, unreachable, tooLocal } =
-      panelWords.stuck;
+    const { creased, fellShort, localFellShort, grown, shrunk, leftSo, noLength, noShape, tooSharp } = panelWords.stuck;
     if (standing === 'creased') return creased(count(this.#bad.sharp.size), this.#cornerLimit.asked(this.#document!));
     if (standing !== 'grown' && this.#hopeless === this.#history?.revision) return noLength;
+    if (standing === 'short' && this.#isLocal) return localFellShort;
     if (standing === 'short') return fellShort(this.#isAtLimit ? this.#limit : null);
     if (standing === 'grown') return (this.#scale > 1 ? grown : shrunk)(percentOf(this.#scale));
     if (this.#worst === undefined) {
       if (!hasLostLengths(this.#frame!, this.#net!)) return tooSharp;
       return this.#frame!.status === 'running' ? leftSo : noShape;
     }
-    const { vertexA, vertexB, distance, reach } = this.#worst;
-    const isHandle = this.#handles.some(({ vertex }) => vertex === vertexB);
-    return isHandle ? unreachable(vertexA, vertexB, ...apart(distance, reach)) : tooLocal;
+    return this.#reasonOf(this.#worst);
   }
+
+  #reasonOf(pair: Unreachable): string {
+    const { unreachable, tooNear, tooLocal } = panelWords.stuck;
+    const { vertexA, vertexB, distance, reach } = pair;
+    if (this.#handles.every(({ vertex }) => vertex !== vertexB)) return tooLocal;
+    return (isTooFar(pair) ? unreachable : tooNear)(vertexA, vertexB, ...apart(distance, reach));
+  }
+}
+
+/** Not so two handles that an edge joins and that are nearer than it is long. */
+function isTooFar(pair: Unreachable | undefined): boolean {
+  return pair !== undefined && pair.distance > pair.reach;
 }
 
 /** A solve has ended without them; or the net comes so, from a link or the history, and was moved before. */

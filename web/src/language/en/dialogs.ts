@@ -52,7 +52,7 @@ export const dialogs = {
       genus: 'Handles (genus)',
       area: 'Area',
       curvature: 'Total curvature, + and −',
-      noise: 'Noise: curvature that cancels',
+      noise: 'Noise or fine bumps: curvature that cancels',
       bothSigns: (positive: string, negative: string) => `${positive}, ${negative}`,
     },
     polygons: (arity: number, number: number, count: string) => `${count} ${polygon(arity)}${number === 1 ? '' : 's'}`,
@@ -108,7 +108,7 @@ export const dialogs = {
     make: 'Make the net',
     stop: 'Stop',
     phases: {
-      border: 'Trying how to meet the border…',
+      border: 'Trying ways to meet borders and sharp edges…',
       triangles: 'Making even triangles…',
       singular: 'How few singular vertices it takes…',
       field: 'Finding directions…',
@@ -160,7 +160,8 @@ export const dialogs = {
       never: 'steps, as cells fall',
     },
     crease: 'Sharp edges',
-    creases: (degrees: number) => (degrees === 0 ? 'not followed' : `followed over ${degrees}°`),
+    creases: (degrees: number | null) =>
+      degrees === null ? 'as fits best' : degrees === 0 ? 'not followed' : `followed over ${degrees}°`,
     showShear: 'Colours by shear, red at 60°',
     prospects: {
       one_piece: (_covered: string) => 'One uncut piece will cover it.',
@@ -168,9 +169,9 @@ export const dialogs = {
       a_seam: (_covered: string) =>
         'One piece meets itself, as round a hole or a handle: expect a seam. The whole surface can do without.',
       too_curved: (covered: string) =>
-        `More curvature than one net can take: those tried covered ${covered} at most. Expect gaps, or cover the whole with singular vertices.`,
+        `More curvature than one net can take: coarse ones that were tried covered up to ${covered}. Expect gaps, or cover the whole with singular vertices.`,
       ring: (covered: string) =>
-        `One piece leaves gaps on the way round: those tried covered ${covered} at most. The whole surface can do without.`,
+        `One piece leaves gaps on the way round: coarse ones that were tried covered up to ${covered}. The whole surface can do without.`,
     },
     numbers: 'The surface in numbers',
     coversLess: 'This one covers less: drag the seed, turn it, take a proposal, or choose “The whole surface”.',
@@ -180,6 +181,7 @@ export const dialogs = {
       `${part} of the surface is farther from the net than half an edge. Where it is rough, fewer cells cover more; where it is finely shaped, more.`,
     againstFolds: {
       border: '“what fits best” at the border often lies smoother.',
+      edges: '“as fits best” for sharp edges often lies smoother.',
       cells: 'more cells often lie smoother.',
     },
     pieces: {
@@ -276,7 +278,7 @@ export const dialogs = {
     /** Of what is done, by its name. */
     times: {
       lay: 'laying',
-      border: 'ways to end',
+      border: 'trying ways',
       triangles: 'triangles',
       singular: 'how few',
       field: 'directions',

@@ -632,6 +632,7 @@ export const panels = {
     /** `limit`: in degrees, if corners are at it; null: none is. */
     fellShort: (limit: number | null) =>
       `With edges of this length${limit === null ? '' : ` and no corner sharper than ${limit}°`} the net reaches no farther.`,
+    localFellShort: 'The part of the net that may move reaches no farther.',
     noLength: 'No length up to four times as long reaches there.',
     grown: (percent: string) => `Edges are ${percent} % longer.`,
     shrunk: (percent: string) => `Edges are ${percent} % shorter.`,
@@ -642,6 +643,9 @@ export const panels = {
     unreachable: (a: number, b: number, distance: string, reach: string) =>
       `Handles ${a} and ${b} are out of reach of each other: they are ${distance} apart, the net between them is ${reach} long. ` +
       'It holds its best shape; bring them closer.',
+    tooNear: (a: number, b: number, distance: string, length: string) =>
+      `Handles ${a} and ${b} are too near each other: they are ${distance} apart, the edge between them is ${length} long. ` +
+      'The net holds its best shape; move them apart.',
     tooLocal:
       'The part of the net that may move is too small for this. It holds its best shape; bring the handle back, or choose a wider locality and drag again.',
   },

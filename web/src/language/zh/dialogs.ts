@@ -75,7 +75,7 @@ export const dialogs: Widened<typeof en> = {
       genus: '环柄数（亏格）',
       area: '面积',
       curvature: '总曲率，正与负',
-      noise: '噪声：相互抵消的曲率',
+      noise: '噪声或细小起伏：相互抵消的曲率',
       bothSigns: (positive, negative) => `${positive}、${negative}`,
     },
     polygons: (arity, _number, count) => `${count} 个${POLYGONS[arity] ?? `${arity} 边形`}`,
@@ -121,7 +121,7 @@ export const dialogs: Widened<typeof en> = {
     make: '生成网',
     stop: '停止',
     phases: {
-      border: '正在试各种边界处理方式…',
+      border: '正在试各种处理边界与锐边的方式…',
       triangles: '正在生成均匀三角形…',
       singular: '正在试能少用几个奇异顶点…',
       field: '正在求方向场…',
@@ -172,15 +172,16 @@ export const dialogs: Widened<typeof en> = {
       never: '阶梯状',
     },
     crease: '锐边',
-    creases: (degrees) => (degrees === 0 ? '不跟随' : `超过 ${degrees}° 时跟随`),
+    creases: (degrees) =>
+      degrees === null ? '最合适者' : degrees === 0 ? '不跟随' : `超过 ${degrees}° 时跟随`,
     showShear: '按剪切着色，60° 为红',
     prospects: {
       one_piece: (_covered) => '一张不剪开的网即可覆盖它。',
       tight: (_covered) => '一张不剪开的网或许能覆盖它，但个别地方会有裂缝或尖角。',
       a_seam: (_covered) => '一张网会与自身相遇，例如绕孔洞或环柄一圈：会有一道接缝；“覆盖整个曲面”则没有。',
       too_curved: (covered) =>
-        `曲率超过一张网所能承受的程度：试过的网最多覆盖 ${covered}。会有空缺，或借助奇异顶点覆盖整个曲面。`,
-      ring: (covered) => `一张网绕一圈会留下空缺：试过的网最多覆盖 ${covered}。“覆盖整个曲面”则没有。`,
+        `曲率超过一张网所能承受的程度：试铺的粗网最多覆盖 ${covered}。会有空缺，或借助奇异顶点覆盖整个曲面。`,
+      ring: (covered) => `一张网绕一圈会留下空缺：试铺的粗网最多覆盖 ${covered}。“覆盖整个曲面”则没有。`,
     },
     numbers: '曲面数据',
     coversLess: '目前这张覆盖得较少：请拖动起点、转动方向、选用一个建议，或选择“覆盖整个曲面”。',
@@ -189,6 +190,7 @@ export const dialogs: Widened<typeof en> = {
     leavesBare: (part) => `曲面有 ${part} 距网超过半条边长。若曲面粗糙，格数少些覆盖更多；若形状细致，则宜多些。`,
     againstFolds: {
       border: '边界处选“最合适者”往往更平顺。',
+      edges: '锐边选“最合适者”往往更平顺。',
       cells: '格数多些往往更平顺。',
     },
     pieces: {
@@ -275,7 +277,7 @@ export const dialogs: Widened<typeof en> = {
     time: '毫秒',
     times: {
       lay: '铺设',
-      border: '试边界',
+      border: '试各种方式',
       triangles: '三角形',
       singular: '求最少奇异顶点',
       field: '方向场',

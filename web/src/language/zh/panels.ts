@@ -802,6 +802,7 @@ export const panels: Widened<typeof en> = {
     stop: '停止',
     creased: (cells, limit) => `这么大的网在编辑时只保持边长，有 ${cells} 个格子的角小于 ${limit}°。`,
     fellShort: (limit) => `以现在的边长${limit === null ? '' : `，且没有小于 ${limit}° 的角`}，网够不到那么远。`,
+    localFellShort: '允许移动的部分够不到那么远。',
     noLength: '边长增至四倍也到不了那里。',
     grown: (percent) => `边长增加了 ${percent}%。`,
     shrunk: (percent) => `边长减少了 ${percent}%。`,
@@ -811,6 +812,8 @@ export const panels: Widened<typeof en> = {
     tooSharp: '附近没有所有角都不小于限度的形状：标出的格子有过尖的角。',
     unreachable: (a, b, distance, reach) =>
       `手柄 ${a} 与手柄 ${b} 相距太远：二者相距 ${distance}，而其间的网长仅为 ${reach}。网已保持在最佳形状，请将二者移近。`,
+    tooNear: (a, b, distance, length) =>
+      `手柄 ${a} 与手柄 ${b} 相距太近：二者相距 ${distance}，而连接它们的边长为 ${length}。网已保持在最佳形状，请将二者移开。`,
     tooLocal: '允许移动的部分太小，无法完成这次拖动。网保持最接近的形状；请把手柄移回，或放宽影响范围后重新拖动。',
   },
   drop: {
