@@ -612,6 +612,30 @@ TEST_CASE("equalize and change say where corners stay sharp, and end with 0 as e
     CHECK(finer.json().at("max_dL") < 1e-9);
 }
 
+TEST_CASE("equalize says at how many edges its net is crumpled, and what may help, which does") {
+    const Sandbox box;
+    write_stretched_vault(box, "raw.obj");
+    const std::string held = "equalize raw.obj --hold 0 200 --length ";
+    const Run longer = box.run(held + "2"), mean = box.run(held + "mean");
+    CHECK(longer.exit_code == 0);
+    CHECK(longer.json().at("folds_over_60_degrees_before") == 0);
+    CHECK(longer.json().at("folds_over_60_degrees") > 0);
+    CHECK_THAT(longer.err, Contains("crumpled") && Contains("more than the mesh did; --length mean"));
+    CHECK(mean.json().at("folds_over_60_degrees") == 0);
+    CHECK(mean.err.empty());
+
+    // Cells so many times wider outside than inside that no edges in these numbers have one length in the plane.
+    write_grid(box, "ring.obj", 21, true, [](double u, double v) {
+        const double turn = 2 * std::numbers::pi * u, radius = 1 + 2 * v;
+        return Eigen::Vector3d(radius * std::cos(turn), radius * std::sin(turn), 0);
+    });
+    const Run of_edges_there = box.run("equalize ring.obj"), of_others = box.run("remesh ring.obj --cells 400");
+    CHECK(of_edges_there.exit_code == 0);
+    CHECK_THAT(of_edges_there.err, Contains("crumpled") && Contains("chebnet remesh"));
+    CHECK(of_others.err.empty());
+    CHECK(of_others.json().at("net").at("folds_over_60_degrees") == 0);
+}
+
 TEST_CASE("equalize gives all edges one length, reports and writes") {
     const Sandbox box;
     write_stretched_vault(box, "raw.obj");
