@@ -819,6 +819,26 @@ TEST_CASE("drape tells that it lies on a noisy surface as that is without its no
     CHECK(box.run("drape --surface hypar --cells 300").err.empty());
 }
 
+TEST_CASE("drape tells of folds where a net leaves the surface, and of ways out, which have none") {
+    const Sandbox box;
+    write_grid(box, "steep.obj", 61, false, [](double u, double v) {
+        const double x = 2 * u - 1, y = 2 * v - 1;
+        return Eigen::Vector3d(x, y, 2.5 * (x * x - y * y));
+    });
+    const std::string drape = "drape steep.obj --cells 300 --leave ";
+    for (const char* folded : {"1", "1 --cut", "1 --pieces"}) {
+        const Run run = box.run(drape + folded);
+        CHECK(run.exit_code == 0);
+        CHECK(run.json().at("net").at("folds_over_60_degrees") > 0);
+        CHECK_THAT(run.err, Contains("crumpled") && Contains("more than the surface does; --leave 0"));
+    }
+    for (const char* smooth : {"0", "1 --shear-limit 20"}) {
+        const Run run = box.run(drape + smooth);
+        CHECK(run.json().at("net").at("folds_over_60_degrees") == 0);
+        CHECK(run.err.empty());
+    }
+}
+
 TEST_CASE("drape lays a net on a surface, reports and writes") {
     const Sandbox box;
     write_saddle(box, "saddle.obj", 31);
