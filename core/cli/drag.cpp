@@ -1,9 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iostream>
 #include <memory>
 #include <sstream>
+#include <string>
 
+#include "base/number.h"
 #include "command.h"
+#include "not_reached.h"
 #include "report.h"
 #include "solver_arguments.h"
 
@@ -131,6 +136,20 @@ Json drag_report(const DragArguments& arguments, const Editor& editor, const Sol
     return report;
 }
 
+/// Why it ends with 1 though its last frame is a net, if it does.
+std::string shortcoming(const Editor& editor, const Dragged& dragged, bool adapts_lengths) {
+    if (dragged.is_held_back)
+        return "every edge has its length, but the net goes no farther: handles were held back up to " +
+               number_text(dragged.handle_error, 4) +
+               " from their targets; --adapt-lengths, which lets edges grow, or a smaller --shear-limit may do";
+    // A frame on the way need not have come to rest.
+    const auto is_net = [&](const SolveReport& frame) { return frame.max_deviation < editor.options().threshold; };
+    const auto others = std::ranges::count_if(dragged.frames, std::not_fn(is_net));
+    if (adapts_lengths || others == 0) return "";
+    return "every edge has its length at the end, but not in " + std::to_string(others) + " of the " +
+           std::to_string(dragged.frames.size()) + " frames; more --frames or a larger --max-iterations may do";
+}
+
 int run_drag(const DragArguments& arguments) {
     Editor editor = open_editor(arguments.solver);
     const auto goal = open_edit(arguments.solver, editor);
@@ -138,12 +157,16 @@ int run_drag(const DragArguments& arguments) {
     const SolveReport end = with_lengths_adapted(arguments.solver, editor, dragged.frames.back()).solve;
     write_results(arguments.solver, editor, to_csv(dragged.frames));
     print(drag_report(arguments, editor, end, dragged));
+    if (!has_lengths(editor, end)) {
+        tell_not_reached(editor, end, arguments.solver.adapts_lengths);
+        return k_not_converged;
+    }
     tell_sharp_quads(editor, end);
     tell_crumpled(editor, end, "handles that move less, or soft ones, may lead to a smoother one");
-    // A frame on the way need not have come to rest.
-    const auto is_net = [&](const SolveReport& frame) { return frame.max_deviation < editor.options().threshold; };
-    const bool stays_net = arguments.solver.adapts_lengths || std::ranges::all_of(dragged.frames, is_net);
-    return stays_net && has_lengths(editor, end) && !dragged.is_held_back ? k_success : k_not_converged;
+    const std::string fault = shortcoming(editor, dragged, arguments.solver.adapts_lengths);
+    if (fault.empty()) return k_success;
+    std::cerr << "chebnet: " << fault << '\n';
+    return k_not_converged;
 }
 
 }  // namespace

@@ -339,7 +339,9 @@ TEST_CASE("edges grow as little as handles beyond reach ask for, or by the scale
         CHECK(done.json().at("max_handle_error") == 0);
         return done.json().at("length_scale").get<double>();
     };
-    CHECK(box.run("solve " + edit).json().at("status") == "unreachable");
+    const Run alone_before = box.run("solve " + edit);
+    CHECK(alone_before.json().at("status") == "unreachable");
+    CHECK_THAT(alone_before.err, Contains("--adapt-lengths"));
     CHECK(scale("solve " + edit + "--adapt-lengths") == Approx(1.5));
     CHECK(scale("drag " + edit + "--frames 3 --adapt-lengths") == Approx(1.5));
     CHECK(scale("solve " + edit + "--length-scale 2") == 2);
@@ -381,10 +383,24 @@ TEST_CASE("a run that does not converge ends with 1 and still reports and writes
     box.write("pull.json", pull_edit(0.2).dump());
     const Run run = box.run("solve " + k_recipe + " --edit pull.json --method li2022 --max-iterations 1 -o out.obj");
     CHECK(run.exit_code == 1);
-    CHECK(run.err.empty());
+    CHECK(line_count(run.err) == 1);
+    CHECK_THAT(run.err, Contains("the iteration limit, 1, was reached") && Contains("--max-iterations"));
     CHECK(run.json().at("status") == "max_iterations");
     CHECK(run.json().at("iterations") == 1);
     CHECK(box.has("out.obj"));
+}
+
+TEST_CASE("a solve that gets stuck says so, and which method finds a net") {
+    const Sandbox box;
+    box.write("edit.json",
+              R"({"handles": [{"vertex": 0, "target": [-5, -5, 0]}, {"vertex": 224, "target": [-3, -3, 0]}]})");
+    const std::string solve = "solve sheet:vertices=225 --edit edit.json --method ";
+    const Run stuck = box.run(solve + "arap");
+    CHECK(stuck.exit_code == 1);
+    CHECK(stuck.json().at("status") == "stalled");
+    CHECK(line_count(stuck.err) == 1);
+    CHECK_THAT(stuck.err, Contains("stuck: ") && Contains("--method equilibrium"));
+    CHECK(box.run(solve + "equilibrium").exit_code == 0);
 }
 
 TEST_CASE("a solve with exact edges and handles that has not come to rest ends with 0") {
@@ -412,6 +428,8 @@ TEST_CASE("handles out of reach are named") {
     box.write("far.json", unreachable_edit().dump());
     const Run run = box.run("solve " + k_recipe + " --edit far.json -o out.obj");
     CHECK(run.exit_code == 1);
+    CHECK(line_count(run.err) == 1);
+    CHECK_THAT(run.err, Contains("handles 0 and 200 are to be 1000 apart") && !Contains("--adapt-lengths"));
     const json report = run.json();
     CHECK(report.at("status") == "unreachable");
     REQUIRE(report.at("unreachable_pairs").size() == 1);
@@ -464,6 +482,9 @@ TEST_CASE(
     CHECK(report.at("smallest_corner_angle_degrees") >= 29.5);
     CHECK(report.at("folds_over_60_degrees") == 0);
     for (const json& frame : report.at("frames")) CHECK(frame.at("max_dL") < 1e-6);
+    CHECK(line_count(run.err) == 1);
+    CHECK_THAT(run.err, Contains("handles were held back") && Contains("--adapt-lengths"));
+    CHECK(box.run("drag sheet:vertices=100 --edit far.json --frames 10 --adapt-lengths").exit_code == 0);
 }
 
 TEST_CASE("a drag comes to the same net in whatever order the file has handles that move and handles that stay") {
@@ -497,6 +518,22 @@ TEST_CASE("a drag with a frame that does not converge ends with 1") {
     const Run run = box.run("drag " + k_recipe + " --edit pull.json --method li2022 --frames 2 --max-iterations 1");
     CHECK(run.exit_code == 1);
     CHECK(run.json().at("frames").size() == 2);
+    CHECK_THAT(run.err, Contains("the iteration limit, 1, was reached"));
+}
+
+TEST_CASE("a drag whose last frame is a net and others are not ends with 1, and says how many") {
+    const Sandbox box;
+    const Positions rest = make_shape(k_recipe).net.rest_positions();
+    const int last = static_cast<int>(rest.cols()) - 1;
+    const Eigen::Vector3d goal = 0.8 * rest.col(last) + 0.2 * rest.rowwise().mean();
+    const json handles = {edit_entry(0, rest.col(0)), edit_entry(19, rest.col(19)), edit_entry(last, goal)};
+    box.write("pull.json", json{{"handles", handles}}.dump());
+    const std::string drag = "drag " + k_recipe + " --edit pull.json --method projection --frames 10 --max-iterations ";
+    const Run on_the_way = box.run(drag + "5"), longer = box.run(drag + "20");
+    CHECK(on_the_way.exit_code == 1);
+    CHECK(on_the_way.json().at("max_dL") < 1e-6);
+    CHECK_THAT(on_the_way.err, Contains(" of the 10 frames; ") && Contains("--max-iterations"));
+    CHECK(longer.exit_code == 0);
 }
 
 TEST_CASE("solve and drag keep a net near a guide, which is a file or one of ours") {
@@ -1381,7 +1418,11 @@ TEST_CASE("keys of handles that are not read are said to be so, once each, and k
                            R"( {"vertex": 1, "target": [0, 0, 0], "wieght": 1, "name": "foot"}]})");
     const std::string err = box.run("solve " + k_recipe + " --edit edit.json").err;
     const std::string rest = " of a handle is not read; vertex, target, weight and slides are\n";
-    CHECK(err == "chebnet: edit.json: \"name\"" + rest + "chebnet: edit.json: \"wieght\"" + rest);
+    CHECK_THAT(err, Catch::Matchers::StartsWith("chebnet: edit.json: \"name\"" + rest +
+                                                "chebnet: edit.json: \"wieght\"" + rest));
+    // Then that the ends of an edge are to be at one place: longer edges would not bring them there.
+    CHECK(line_count(err) == 3);
+    CHECK_THAT(err, Contains("handles 0 and 1 are to be 0 apart") && !Contains("--adapt-lengths"));
 }
 
 TEST_CASE("output that cannot be written is refused") {
