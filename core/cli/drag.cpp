@@ -36,8 +36,13 @@ std::vector<Handle> at_rest(std::vector<Handle> handles, const Net& net) {
 /// What a drag came to.
 struct Dragged {
     std::vector<SolveReport> frames;
-    double handle_error = 0;    // of exact handles, from their targets in the file
-    bool is_held_back = false;  // the net does not go as far as the hand went
+    double handle_error = 0;   // of exact handles, from their targets in the file
+    bool falls_short = false;  // of where the hand went
+
+    /// On its way: nobody knows whether the net goes farther.
+    bool is_stopped() const { return falls_short && frames.back().status == Status::max_iterations; }
+    /// The net does not go farther.
+    bool is_held_back() const { return falls_short && !is_stopped(); }
 };
 
 /// The farthest of exact handles from where they are to be.
@@ -73,7 +78,7 @@ Dragged drag(Editor& editor, const std::vector<Handle>& goal, int frame_count, b
         dragged.frames.push_back(editor.solve());
     }
     dragged.handle_error = farthest_from(goal, editor.positions());
-    dragged.is_held_back = in_hand && dragged.handle_error > k_arrived * editor.net().mean_length();
+    dragged.falls_short = in_hand && dragged.handle_error > k_arrived * editor.net().mean_length();
     return dragged;
 }
 
@@ -124,12 +129,12 @@ Json drag_report(const DragArguments& arguments, const Editor& editor, const Sol
     Json report{{"net", arguments.solver.net.name},
                 {"method", editor.method()},
                 {"status", to_string(end.status)},
-                {"is_held_back", dragged.is_held_back},
+                {"is_held_back", dragged.is_held_back()},
                 {"to_rest", to_rest_report(end.to_rest)},
                 {"median_milliseconds", quantile(times, 0.5)},
                 {"percentile_95_milliseconds", quantile(times, 0.95)}};
     report.update(shape_report(editor));
-    // Handles that were held back have been let go of where they stood.
+    // Handles that fell short have been let go of where they stood.
     report["max_handle_error"] = dragged.handle_error;
     report.update(forces_report(editor));
     report["frames"] = frame_list(frames);
@@ -138,7 +143,12 @@ Json drag_report(const DragArguments& arguments, const Editor& editor, const Sol
 
 /// Why it ends with 1 though its last frame is a net, if it does.
 std::string shortcoming(const Editor& editor, const Dragged& dragged, bool adapts_lengths) {
-    if (dragged.is_held_back)
+    if (dragged.is_stopped())
+        return "every edge has its length, but the iteration limit, " +
+               std::to_string(editor.options().max_iterations) + ", stopped handles on their way, up to " +
+               number_text(dragged.handle_error, 4) +
+               " from their targets; a larger --max-iterations or more --frames often leads there";
+    if (dragged.is_held_back())
         return "every edge has its length, but the net goes no farther: handles were held back up to " +
                number_text(dragged.handle_error, 4) +
                " from their targets; --adapt-lengths, which lets edges grow, or a smaller --shear-limit may do";

@@ -487,6 +487,32 @@ TEST_CASE(
     CHECK(box.run("drag sheet:vertices=100 --edit far.json --frames 10 --adapt-lengths").exit_code == 0);
 }
 
+TEST_CASE("a drag that the iteration limit stops on its way is not called held back, and goes farther with more") {
+    const Sandbox box;
+    // A strip of 120 x 3 vertices, its end pushed to three tenths of its length.
+    constexpr int n = 120;
+    Mesh strip{Positions(3, 3 * n), {}};
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < 3; ++j) {
+            const int v = 3 * i + j;
+            strip.positions.col(v) << i, j, 0;
+            if (i + 1 < n && j < 2) strip.faces.add({v, v + 3, v + 4, v + 1});
+        }
+    box.write("strip.obj", write_obj(strip.positions, strip.faces));
+    const json ends = {edit_entry(0, {0, 0, 0}), edit_entry(2, {0, 2, 0}), edit_entry(3 * n - 3, {0.3 * (n - 1), 0, 0}),
+                       edit_entry(3 * n - 1, {0.3 * (n - 1), 2, 0})};
+    box.write("push.json", json{{"handles", ends}}.dump());
+    const std::string drag = "drag strip.obj --edit push.json --frames ";
+    const Run stopped = box.run(drag + "10 --max-iterations 20");
+    CHECK(stopped.exit_code == 1);
+    CHECK(stopped.json().at("status") == "max_iterations");
+    CHECK(stopped.json().at("is_held_back") == false);
+    CHECK(stopped.json().at("max_handle_error") > 1);
+    CHECK_THAT(stopped.err,
+               Contains("the iteration limit, 20, stopped handles on their way") && !Contains("held back"));
+    for (const char* more : {"10 --max-iterations 1000", "60"}) CHECK(box.run(drag + more).exit_code == 0);
+}
+
 TEST_CASE("a drag comes to the same net in whatever order the file has handles that move and handles that stay") {
     const Sandbox box;
     json edit = pull_edit(0.2);
