@@ -4,6 +4,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "change/change.h"
 #include "io/mesh_file.h"
 #include "io/obj.h"
 #include "net/measures.h"
@@ -836,7 +837,6 @@ TEST_CASE("change gives a net other faces, exactly") {
 
     check_refused(box.run("change fine.obj melt"), "no change is called \"melt\"; known are ");
     check_refused(box.run("change fine.obj cut --line 0 700"), "--line");
-    check_refused(box.run("change fine.obj delete_faces"), "no face");
     check_refused(box.run("change kite.obj delete_faces --vertices 4"), "the net has no vertex 4, only 0 to 3");
 }
 
@@ -847,6 +847,17 @@ TEST_CASE("change refuses a place that it would not read") {
     check_refused(box.run(change + "join --vertices 5"), "it takes no --vertices");
     check_refused(box.run(change + "delete_rows --vertices 5"), "from --line, not from --vertices");
     check_refused(box.run(change + "delete_faces --vertices 5 --line 40 41"), "from --vertices, not from --line");
+}
+
+TEST_CASE("change names the option that says where, if it needs one") {
+    const Sandbox box;
+    for (const ChangeInfo& change : change_table()) {
+        if (change.place_part == PlacePart::nothing) continue;
+        CAPTURE(change.name);
+        const char* option = change.place_part == PlacePart::edges ? "--line A B" : "--vertices";
+        check_refused(box.run("change " + k_recipe + " " + change.name),
+                      std::string(change.name) + " needs a place: " + option);
+    }
 }
 
 TEST_CASE("change writes nothing where no net comes of it") {
