@@ -158,6 +158,28 @@ TEST_CASE("info describes a recipe, and the same for the file made from it") {
     }
 }
 
+TEST_CASE("info says how many vertices stand at the place of an earlier one, and that they can be merged") {
+    const Sandbox box;
+    box.write("apart.obj",
+              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\n"
+              "f 1 2 3 4\nf 5 6 7 8\n");
+    const Run apart = box.run("info apart.obj"), merged = box.run("info apart.obj --repair");
+    CHECK(apart.exit_code == 0);
+    CHECK(apart.json().at("coinciding_vertices") == 2);
+    CHECK(apart.json().at("components") == 2);
+    CHECK(line_count(apart.err) == 1);
+    CHECK_THAT(apart.err,
+               Contains("apart.obj: 2 vertices at the place of an earlier one: 4, 7 (--repair merges them)"));
+    CHECK(merged.json().at("coinciding_vertices") == 0);
+    CHECK(merged.json().at("components") == 1);
+    for (const ShapeInfo& shape : shape_table()) {
+        CAPTURE(shape.name);
+        const Run own = box.run("info " + std::string(shape.name) + ":vertices=200");
+        CHECK(own.err.empty());
+        CHECK(own.json().at("coinciding_vertices") == 0);
+    }
+}
+
 TEST_CASE("info says how a net lies on a surface, as draping it did") {
     const Sandbox box;
     const json draped = box.run("drape --surface hypar --cells 300 -o net.obj").json().at("net");
