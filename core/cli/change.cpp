@@ -55,11 +55,22 @@ void check_reads(const ChangeInfo& change, PlacePart given) {
     throw Error(ErrorCode::bad_option, change.name + reads + option_of(given));
 }
 
+/// Without a place a change would but say that nothing is there.
+void check_has_place(const ChangeInfo& change, const ChangeArguments& arguments) {
+    const bool lacks_line = change.place_part == PlacePart::edges && arguments.line.empty();
+    const bool lacks_vertices = change.place_part == PlacePart::vertices && arguments.vertices.empty();
+    if (lacks_line || lacks_vertices)
+        throw Error(ErrorCode::bad_option, change.name + std::string(" needs a place: ") +
+                                               (lacks_line ? "--line A B, the net line from vertex A to its neighbour B"
+                                                           : "--vertices, one or more"));
+}
+
 int run_change(const ChangeArguments& arguments) {
     const Net net = load_net(arguments.net);
     const ChangeInfo& change = find_change(arguments.name);
     if (!arguments.line.empty()) check_reads(change, PlacePart::edges);
     if (!arguments.vertices.empty()) check_reads(change, PlacePart::vertices);
+    check_has_place(change, arguments);
     ChangePlace place;
     place.vertices = arguments.vertices;
     if (!arguments.line.empty()) place.edges = edges_of_line(net, arguments.line[0], arguments.line[1]);

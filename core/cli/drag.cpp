@@ -1,9 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iostream>
 #include <memory>
 #include <sstream>
+#include <string>
 
+#include "base/number.h"
 #include "command.h"
+#include "not_reached.h"
 #include "report.h"
 #include "solver_arguments.h"
 
@@ -31,8 +36,13 @@ std::vector<Handle> at_rest(std::vector<Handle> handles, const Net& net) {
 /// What a drag came to.
 struct Dragged {
     std::vector<SolveReport> frames;
-    double handle_error = 0;    // of exact handles, from their targets in the file
-    bool is_held_back = false;  // the net does not go as far as the hand went
+    double handle_error = 0;   // of exact handles, from their targets in the file
+    bool falls_short = false;  // of where the hand went
+
+    /// On its way: nobody knows whether the net goes farther.
+    bool is_stopped() const { return falls_short && frames.back().status == Status::max_iterations; }
+    /// The net does not go farther.
+    bool is_held_back() const { return falls_short && !is_stopped(); }
 };
 
 /// The farthest of exact handles from where they are to be.
@@ -68,7 +78,7 @@ Dragged drag(Editor& editor, const std::vector<Handle>& goal, int frame_count, b
         dragged.frames.push_back(editor.solve());
     }
     dragged.handle_error = farthest_from(goal, editor.positions());
-    dragged.is_held_back = in_hand && dragged.handle_error > k_arrived * editor.net().mean_length();
+    dragged.falls_short = in_hand && dragged.handle_error > k_arrived * editor.net().mean_length();
     return dragged;
 }
 
@@ -119,16 +129,35 @@ Json drag_report(const DragArguments& arguments, const Editor& editor, const Sol
     Json report{{"net", arguments.solver.net.name},
                 {"method", editor.method()},
                 {"status", to_string(end.status)},
-                {"is_held_back", dragged.is_held_back},
+                {"is_held_back", dragged.is_held_back()},
                 {"to_rest", to_rest_report(end.to_rest)},
                 {"median_milliseconds", quantile(times, 0.5)},
                 {"percentile_95_milliseconds", quantile(times, 0.95)}};
     report.update(shape_report(editor));
-    // Handles that were held back have been let go of where they stood.
+    // Handles that fell short have been let go of where they stood.
     report["max_handle_error"] = dragged.handle_error;
     report.update(forces_report(editor));
     report["frames"] = frame_list(frames);
     return report;
+}
+
+/// Why it ends with 1 though its last frame is a net, if it does.
+std::string shortcoming(const Editor& editor, const Dragged& dragged, bool adapts_lengths) {
+    if (dragged.is_stopped())
+        return "every edge has its length, but the iteration limit, " +
+               std::to_string(editor.options().max_iterations) + ", stopped handles on their way, up to " +
+               number_text(dragged.handle_error, 4) +
+               " from their targets; a larger --max-iterations or more --frames often leads there";
+    if (dragged.is_held_back())
+        return "every edge has its length, but the net goes no farther: handles were held back up to " +
+               number_text(dragged.handle_error, 4) +
+               " from their targets; --adapt-lengths, which lets edges grow, or a smaller --shear-limit may do";
+    // A frame on the way need not have come to rest.
+    const auto is_net = [&](const SolveReport& frame) { return frame.max_deviation < editor.options().threshold; };
+    const auto others = std::ranges::count_if(dragged.frames, std::not_fn(is_net));
+    if (adapts_lengths || others == 0) return "";
+    return "every edge has its length at the end, but not in " + std::to_string(others) + " of the " +
+           std::to_string(dragged.frames.size()) + " frames; more --frames or a larger --max-iterations may do";
 }
 
 int run_drag(const DragArguments& arguments) {
@@ -138,12 +167,16 @@ int run_drag(const DragArguments& arguments) {
     const SolveReport end = with_lengths_adapted(arguments.solver, editor, dragged.frames.back()).solve;
     write_results(arguments.solver, editor, to_csv(dragged.frames));
     print(drag_report(arguments, editor, end, dragged));
+    if (!has_lengths(editor, end)) {
+        tell_not_reached(editor, end, arguments.solver.adapts_lengths);
+        return k_not_converged;
+    }
     tell_sharp_quads(editor, end);
     tell_crumpled(editor, end, "handles that move less, or soft ones, may lead to a smoother one");
-    // A frame on the way need not have come to rest.
-    const auto is_net = [&](const SolveReport& frame) { return frame.max_deviation < editor.options().threshold; };
-    const bool stays_net = arguments.solver.adapts_lengths || std::ranges::all_of(dragged.frames, is_net);
-    return stays_net && has_lengths(editor, end) && !dragged.is_held_back ? k_success : k_not_converged;
+    const std::string fault = shortcoming(editor, dragged, arguments.solver.adapts_lengths);
+    if (fault.empty()) return k_success;
+    std::cerr << "chebnet: " << fault << '\n';
+    return k_not_converged;
 }
 
 }  // namespace

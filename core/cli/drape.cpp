@@ -18,6 +18,7 @@
 #include "drape/drape_pieces.h"
 #include "drape/proposals.h"
 #include "drape/surface_report.h"
+#include "drape/tilt.h"
 #include "net_output.h"
 #include "option_words.h"
 #include "points_argument.h"
@@ -197,10 +198,19 @@ Json proposals_report(const Surface& surface, const CutProposals& proposals) {
     return {{"coverage_uncut", proposals.coverage[0]}, {"cuts", cuts}};
 }
 
+/// Off the surface nothing keeps the net from folding.
+const char* smoother_way(const DrapeArguments& arguments) {
+    return arguments.leave > 0
+               ? "--leave 0, which leaves gaps, or a smaller --shear-limit often leads to a smoother one"
+               : "more cells often lead to a smoother one";
+}
+
 int run_pieces(const DrapeArguments& arguments) {
-    const Surface whole = load_surface(arguments.surface);
+    Surface loaded = load_surface(arguments.surface);
     Stopwatch watch;
-    const SurfaceTree tree(whole);
+    const Guide guide(std::move(loaded));
+    const Surface& whole = guide.surface();
+    const SurfaceTree& tree = guide.tree();
     std::vector<CutLine> cuts = cuts_of(arguments, whole, tree);
     const PiecesOptions options = pieces_options(arguments, whole, tree);
     Json proposed;
@@ -221,6 +231,7 @@ int run_pieces(const DrapeArguments& arguments) {
            {"pieces", pieces_report(made)},
            {"proposed", proposed},
            {"milliseconds", {{"cut", cut_ms}, {"drape", drape_ms}}}});
+    tell_crumpled(crumpled_edges(guide, made.net), "the surface does", smoother_way(arguments));
     return k_success;
 }
 
@@ -251,6 +262,7 @@ int run_drape(const DrapeArguments& arguments) {
            {"net", drape_report(draped, measured)},
            {"milliseconds", {{"tree", tree_ms}, {"drape", drape_ms}}}});
     if (laid_on != guide) tell_roughness(measured);
+    tell_crumpled(crumpled_edges(*laid_on, draped.net), "the surface does", smoother_way(arguments));
     return k_success;
 }
 

@@ -97,15 +97,30 @@ void tell_of_cut_net(const Net& net) {
               << others << (others == 1 ? " face that is no quad\n" : " faces that are no quads\n");
 }
 
+/// Where held vertices are near each other for edges that long, or all edges of the mesh cannot have one length near
+/// its surface. Where its faces are no surface, no other net can be made on it.
+const char* smoother_way(const EqualizeArguments& arguments, const EqualizeReport& equalized) {
+    if (!arguments.handles.empty())
+        return arguments.length == "mean"
+                   ? "fewer vertices after --hold often leave a smoother one"
+                   : "--length mean, or fewer vertices after --hold, often lead to a smoother one";
+    return equalized.distance ? "chebnet remesh, which gives the surface edges of its own, often makes a smoother one"
+                              : "";
+}
+
 int run_equalize(const EqualizeArguments& arguments) {
     Equalizer equalizer(load_net(arguments.net), options_of(arguments));
     tell_of_cut_net(equalizer.original());
     const EqualizeReport equalized = equalizer.solve();
     write_net(arguments.output, equalizer.positions(), equalizer.original().faces());
     print(equalize_report(arguments, equalizer, equalized));
+    if (!keeps_lengths(equalized.status)) return k_not_converged;
     if (equalized.status == Status::exact)
         tell_sharp_quads(equalized.quads_beyond_limit, arguments.shear_limit * k_degree);
-    return keeps_lengths(equalized.status) ? k_success : k_not_converged;
+    const Net& original = equalizer.original();
+    tell_crumpled(new_folds(original, original.rest_positions(), equalizer.positions()), "the mesh did",
+                  smoother_way(arguments, equalized));
+    return k_success;
 }
 
 }  // namespace

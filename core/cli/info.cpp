@@ -36,8 +36,10 @@ int run_info(const InfoArguments& arguments) {
     const LengthRange lengths = edge_length_range(net, net.rest_positions());
     if (!arguments.edges.empty()) write_file(arguments.edges, edge_table(net, net.rest_positions()));
     if (!arguments.rods.empty()) write_file(arguments.rods, rod_table(net, topology, net.rest_positions()));
+    const int coinciding = tell_coinciding({net.rest_positions(), net.faces()}, arguments.net.name);
     Json report = {{"net", arguments.net.name},
                    {"vertices", net.vertex_count()},
+                   {"coinciding_vertices", coinciding},
                    {"edges", net.edge_count()},
                    {"faces", net.face_count()},
                    {"faces_by_arity", counts_report(faces_by_arity(net.faces()))},

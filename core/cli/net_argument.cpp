@@ -43,13 +43,6 @@ const char* repair_hint(ErrorCode code, bool repaired) {
     return is_repairable && !repaired ? " (--repair may mend this)" : "";
 }
 
-/// Triangles that share no vertices are no surface, but pieces of one, each with a net of its own. Said only, for where
-/// a surface is cut open they should coincide.
-void tell_coinciding(const Mesh& mesh, const std::string& path) {
-    if (const std::optional<Finding> finding = find_duplicate_vertices(mesh))
-        std::cerr << "chebnet: " << path << ": " << to_sentence(*finding) << " (--repair merges them)\n";
-}
-
 Net net_of_file(const std::string& path, bool repair) {
     Mesh mesh = load_mesh(path, repair);
     try {
@@ -87,6 +80,13 @@ void add_repair_argument(CLI::App& command, bool& repair) {
 
 Net load_net(const NetArgument& argument) {
     return is_file_name(argument.name) ? net_of_file(argument.name, argument.repair) : net_of_recipe(argument.name);
+}
+
+int tell_coinciding(const Mesh& mesh, const std::string& name) {
+    const std::optional<Finding> finding = find_duplicate_vertices(mesh);
+    if (!finding) return 0;
+    std::cerr << "chebnet: " << name << ": " << to_sentence(*finding) << " (--repair merges them)\n";
+    return finding->count;
 }
 
 Surface load_surface(const std::string& path, bool repair) {

@@ -24,6 +24,11 @@ void add_repair_argument(CLI::App& command, bool& repair);
 /// otherwise. Repairs are told on standard error. Throws Error; the message begins with the name.
 Net load_net(const NetArgument& argument);
 
+/// Says on standard error how many vertices stand at the place of an earlier one, if any do, and returns their number:
+/// faces that share no vertices are not joined, however near they lie. Said only, for where a net or a surface is cut
+/// open they should coincide.
+int tell_coinciding(const Mesh& mesh, const std::string& name);
+
 /// The surface in a file, repaired if asked for. Throws Error; the message begins with the path.
 Surface load_surface(const std::string& path, bool repair);
 

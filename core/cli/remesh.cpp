@@ -31,7 +31,7 @@ namespace {
 const std::map<std::string, RemeshOptions::Border> k_borders = option_words(k_remesh_borders);
 
 // Of a surface, what is as good as all of it.
-constexpr double k_covered = 0.99;
+constexpr double k_covered = 0.98;
 
 struct RemeshArguments {
     SurfaceArgument surface;
@@ -121,24 +121,33 @@ Json remesh_report(const Remesh& made, const DrapeReport& measured, const Singul
     return report;
 }
 
-const char* smoother_way(const RemeshOptions& options) {
-    if (options.crease > 0) return "--crease fitting";
-    return options.border == RemeshOptions::Border::fitting ? "more cells" : "--border fitting";
+/// What was asked for that may be in the way of a net that lies smoothly on all of the surface; empty: nothing.
+std::string obstacle(const RemeshOptions& options) {
+    if (options.crease > 0) return "--crease";
+    if (!options.marked_creases.empty()) return "--crease-along";
+    return options.singular.is_empty() ? "" : "wishes for singular vertices";
 }
 
-/// Where a border that is held leads to a net that is longer than there is room for, it lies in folds.
-void tell_folded(int edges, const RemeshOptions& options) {
-    if (edges == 0) return;
-    std::cerr << "chebnet: every edge has its length, but the net is crumpled: at " << edges
-              << (edges == 1 ? " edge" : " edges") << " it folds by more than 60 degrees where the surface does not; "
-              << smoother_way(options) << " often lies smoother\n";
+/// A border that is held may lead to a net that is longer than there is room for.
+std::string smoother_way(const RemeshOptions& options) {
+    if (const std::string what = obstacle(options); !what.empty()) return "without " + what + " it often lies smoother";
+    return options.border == RemeshOptions::Border::fitting ? "more cells often lie smoother"
+                                                            : "--border fitting often lies smoother";
 }
 
-/// Net lines that follow creases may lead to less than all of the surface.
-void tell_bare(double coverage, const RemeshOptions& options) {
-    if (options.crease == 0 || coverage >= k_covered) return;
-    std::cerr << "chebnet: the net covers " << number_text(100 * coverage, 3)
-              << " % of the surface; without --crease it often covers more\n";
+std::string fuller_way(const RemeshOptions& options, int gaps) {
+    if (const std::string what = obstacle(options); !what.empty()) return "without " + what + " it often covers more";
+    if (options.border != RemeshOptions::Border::fitting) return "--border fitting often covers more";
+    return gaps > 0 ? "it has gaps where it would crumple: more cells, or chebnet drape --leave, may cover more"
+                    : "where that is finely shaped more cells cover more, where it is rough fewer";
+}
+
+/// Net lines that follow creases or end in steps, singular vertices that were wished for, and details finer than cells
+/// may lead to less than all of the surface.
+void tell_bare(const DrapeReport& measured, const RemeshOptions& options) {
+    if (measured.coverage >= k_covered) return;
+    std::cerr << "chebnet: the net covers " << number_text(100 * measured.coverage, 3) << " % of the surface; "
+              << fuller_way(options, measured.gaps) << '\n';
 }
 
 void read_crease(const std::string& text, RemeshOptions& options) {
@@ -172,8 +181,8 @@ int run_remesh(const RemeshArguments& arguments) {
            {"net", remesh_report(made, measured, options.singular)},
            {"milliseconds", milliseconds}});
     if (made.sharp_quads > 0) tell_sharp_quads(made.sharp_quads, options.smallest_angle);
-    tell_folded(crumpled_edges(*guide, made.net), options);
-    tell_bare(measured.coverage, options);
+    tell_crumpled(crumpled_edges(*guide, made.net), "the surface does", smoother_way(options));
+    tell_bare(measured, options);
     return k_success;
 }
 

@@ -116,16 +116,20 @@ void tell_sharp_quads(const Editor& editor, const SolveReport& end) {
     if (count > 0) tell_sharp_quads(count, editor.options().shear_limit);
 }
 
+void tell_crumpled(int edges, std::string_view than, std::string_view way_out) {
+    if (edges == 0) return;
+    std::cerr << "chebnet: every edge has its length, but the net is crumpled: at " << edges
+              << (edges == 1 ? " edge" : " edges") << " it folds by 60 degrees more than " << than
+              << (way_out.empty() ? "" : "; ") << way_out << '\n';
+}
+
 void tell_crumpled(const Editor& editor, const SolveReport& end, const char* what_helps) {
     if (!has_lengths(editor, end)) return;
     const int count = new_folds(editor.net(), editor.net().rest_positions(), editor.positions());
-    if (count == 0) return;
-    std::cerr << "chebnet: every edge has its length, but the net is crumpled: at " << count
-              << (count == 1 ? " edge" : " edges") << " it folds by 60 degrees more than before the edit; "
-              << (editor.method() == k_default_method
-                      ? std::string(what_helps)
-                      : "--method " + std::string(k_default_method) + " often leads to a smoother one")
-              << '\n';
+    const bool is_usual = editor.method() == k_default_method;
+    tell_crumpled(count, "before the edit",
+                  is_usual ? std::string(what_helps)
+                           : "--method " + std::string(k_default_method) + " often leads to a smoother one");
 }
 
 void print(const Json& report) {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
 
 #include "edit/editor.h"
 
@@ -34,8 +35,10 @@ void tell_sharp_quads(int count, double limit);
 /// Likewise after a solve that ended so, if there are any and the method keeps to a limit: where handles leave no other
 /// net, or edges are so unlike that they allow no more.
 void tell_sharp_quads(const Editor& editor, const SolveReport& end);
-/// Says on standard error at how many edges an edit has crumpled the net, if it has, and what may help: another
-/// method, or by `equilibrium` this.
+/// Says on standard error that every edge has its length, but the net is crumpled at so many edges, if it is: it folds
+/// there by 60 degrees more than that, a net before or a surface; and the way out, a sentence, unless it is empty.
+void tell_crumpled(int edges, std::string_view than, std::string_view way_out);
+/// Likewise where an edit has done that; what may help is another method, or by `equilibrium` this.
 void tell_crumpled(const Editor& editor, const SolveReport& end, const char* what_helps);
 
 /// Writes to standard output; numbers that are not finite become null. Throws Error file_access.

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "command.h"
+#include "not_reached.h"
 #include "report.h"
 #include "solver_arguments.h"
 
@@ -36,9 +37,13 @@ int run_solve(const SolverArguments& arguments) {
     const AdaptedSolve adapted = with_lengths_adapted(arguments, editor, editor.solve());
     write_results(arguments, editor, to_csv(adapted.solve.trace));
     print(solve_report(arguments, editor, adapted));
+    if (!has_lengths(editor, adapted.solve)) {
+        tell_not_reached(editor, adapted.solve, arguments.adapts_lengths);
+        return k_not_converged;
+    }
     tell_sharp_quads(editor, adapted.solve);
     tell_crumpled(editor, adapted.solve, "chebnet drag, which goes there in steps, may lead to a smoother one");
-    return has_lengths(editor, adapted.solve) ? k_success : k_not_converged;
+    return k_success;
 }
 
 }  // namespace
