@@ -104,7 +104,7 @@ DrapeOptions given_options(const DrapeArguments& arguments, const Surface& surfa
 }
 
 DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
-    const DrapeOptions options = given_options(arguments, surface, tree);
+    DrapeOptions options = given_options(arguments, surface, tree);
     const bool has_seed = arguments.has_seed(), has_direction = arguments.has_direction();
     if (!arguments.best || (has_seed && has_direction)) return options;
     if (has_seed) return with_best_direction(surface, tree, options);

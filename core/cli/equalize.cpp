@@ -108,13 +108,39 @@ const char* smoother_way(const EqualizeArguments& arguments, const EqualizeRepor
                               : "";
 }
 
+/// Of a net whose edges came out unequal.
+std::string what_failed(const Equalizer& equalizer, const EqualizeReport& equalized) {
+    if (equalized.status == Status::unreachable && !equalized.unreachable_pairs.empty()) {
+        const UnreachablePair& pair = equalized.unreachable_pairs[0];
+        return "there is no such net: held vertices " + std::to_string(pair.vertex_a) + " and " +
+               std::to_string(pair.vertex_b) + " are " + number_text(pair.distance, 6) +
+               " apart, but the net between them is " + number_text(pair.reach, 6) + " long";
+    }
+    if (equalized.status == Status::non_finite) return "a number overflowed, and the last finite shape is held";
+    std::string what = "no net with edges of length " + number_text(equalized.length, 6) + " was found";
+    if (equalized.worst_edges.empty()) return what;
+    const Eigen::Vector2i ends = equalizer.original().edges().col(equalized.worst_edges[0]);
+    const double length = (equalizer.positions().col(ends[0]) - equalizer.positions().col(ends[1])).norm();
+    return what + ": the worst, from vertex " + std::to_string(ends[0]) + " to " + std::to_string(ends[1]) + ", is " +
+           number_text(length, 6) + " long";
+}
+
+void tell_unequal(const EqualizeArguments& arguments, const Equalizer& equalizer, const EqualizeReport& equalized) {
+    const char* way_out = equalized.distance ? "; chebnet remesh gives the surface edges of its own" : "";
+    if (!arguments.handles.empty()) way_out = "; another --length, or fewer vertices after --hold, may do";
+    std::cerr << "chebnet: " << what_failed(equalizer, equalized) << way_out << '\n';
+}
+
 int run_equalize(const EqualizeArguments& arguments) {
     Equalizer equalizer(load_net(arguments.net), options_of(arguments));
     tell_of_cut_net(equalizer.original());
     const EqualizeReport equalized = equalizer.solve();
     write_net(arguments.output, equalizer.positions(), equalizer.original().faces());
     print(equalize_report(arguments, equalizer, equalized));
-    if (!keeps_lengths(equalized.status)) return k_not_converged;
+    if (!keeps_lengths(equalized.status)) {
+        tell_unequal(arguments, equalizer, equalized);
+        return k_not_converged;
+    }
     if (equalized.status == Status::exact)
         tell_sharp_quads(equalized.quads_beyond_limit, arguments.shear_limit * k_degree);
     const Net& original = equalizer.original();

@@ -811,7 +811,8 @@ TEST_CASE("equalize says what stands in the way") {
     box.write("five.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n");
     const Run five = box.run("equalize five.obj -o best.obj");
     CHECK(five.exit_code == 1);
-    CHECK(five.err.empty());
+    CHECK(line_count(five.err) == 1);
+    CHECK_THAT(five.err, Contains("no net with edges of length") && Contains("the worst, from vertex"));
     CHECK(five.json().at("status") != "converged");
     CHECK(five.json().at("max_dL") > 1e-3);
     CHECK(five.json().at("worst_edges")[0].at("vertices").size() == 2);
@@ -820,6 +821,8 @@ TEST_CASE("equalize says what stands in the way") {
 
     const Run far = box.run("equalize " + k_recipe + " --length 0.01 --hold 0 200");
     CHECK(far.exit_code == 1);
+    CHECK(line_count(far.err) == 1);
+    CHECK_THAT(far.err, Contains("held vertices 0 and 200 are") && Contains("--length"));
     CHECK(far.json().at("status") == "unreachable");
     CHECK(far.json().at("unreachable_pairs")[0].at("vertices") == json{0, 200});
 
