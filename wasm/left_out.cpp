@@ -23,6 +23,7 @@
 #include "shapes/smooth_figure.h"
 #include "solve/parts/coordinate_metric.h"
 #include "solve/parts/free_motions.h"
+#include "solve/parts/handle_walk.h"
 #include "solve/parts/length_system.h"
 #include "solve/parts/neighbour_system.h"
 #include "solve/parts/rest_descent.h"
@@ -106,6 +107,8 @@ void check_slide(int, Axes, bool) { leave_to_the_whole_core(); }
 void TangentNewton::find_free_motions(bool is_guided, std::span<const Pull>, const Options&) {
     if (!is_guided && m_fixed.size() < k_least_held) leave_to_the_whole_core();
 }
+// Of use to such nets alone.
+void HandleWalk::carry_along(const std::vector<int>&, const Eigen::VectorXd&, const Positions&, Positions&) {}
 // Never called where no handle has passed that check.
 void FreeMotions::begin(const Positions&) {}
 void FreeMotions::take_out(Eigen::Matrix3Xd&) const {}

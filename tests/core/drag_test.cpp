@@ -473,7 +473,7 @@ TEST_CASE("Drag: every frame of a hand is a net, wherever its budget ends") {
 }
 
 TEST_CASE("Drag: while the corners of a rest shape are being opened the hand has the last net") {
-    const double lean = 25 * EIGEN_PI / 180;
+    const double lean = 20 * EIGEN_PI / 180;
     Net flat = samples::patch(9, 9, 0);
     Positions leaning = flat.rest_positions();
     const double L = flat.mean_length();

@@ -337,7 +337,7 @@ TEST_CASE("Where a corner would be too sharp there is a gap, not a sliver") {
         CHECK(report.largest_angle < samples::k_pi - limit + 1e-9);
         CHECK(report.max_deviation < samples::k_exact);
         CHECK(report.coverage > 0.4);
-        CHECK(report.coverage < 0.95);
+        CHECK(report.gaps > 0);
         CHECK(Topology(drape.net).component_count() == 1);
     }
 }

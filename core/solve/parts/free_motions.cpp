@@ -2,10 +2,12 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "linear/ordered_dot.h"
+#include "solve/parts/handle_walk.h"
 #include "solve/parts/tangent_newton.h"
 
 namespace chebnet {
@@ -38,16 +40,17 @@ void FreeMotions::set_forces(std::span<const Pull> pulls, const Options& options
 }
 
 void FreeMotions::begin(const Positions& x) {
-    m_motions.clear();
+    m_count = 0;
     for (const Piece& piece : m_pieces) find_motions(piece, x);
 }
 
 /// A motion is a shift a and a turn b about the piece's middle: vertex v moves by a + b × y, where y is its place from
 /// there in parts of the piece's size, and so by (e; y × e)·(a; b) along an axis e.
 void FreeMotions::find_motions(const Piece& piece, const Positions& x) {
-    const Positions places = x(Eigen::all, piece.vertices);
-    const Eigen::Vector3d middle = places.rowwise().mean();
-    const double size = (places.colwise() - middle).colwise().norm().maxCoeff();
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (int v : piece.vertices) middle += x.col(v) / static_cast<double>(piece.vertices.size());
+    double size = 0;
+    for (int v : piece.vertices) size = std::max(size, (x.col(v) - middle).norm());
     if (!(size > 0)) return;
     const Axes kept = piece.kept | m_kept_by_weight;
     Matrix6d resistance = Matrix6d::Zero();
@@ -65,23 +68,42 @@ void FreeMotions::find_motions(const Piece& piece, const Positions& x) {
         if ((kept & ~(1 << i)) != k_no_axes) resist(none, axis);
     }
     const Eigen::SelfAdjointEigenSolver<Matrix6d> modes(resistance);
-    const std::size_t first = m_motions.size();
+    const std::size_t first = m_count;
     for (int k = 0; k < 6 && modes.eigenvalues()[k] < k_unresisted; ++k) {
         const Eigen::Vector3d shift = modes.eigenvectors().col(k).head<3>(),
                               turn = modes.eigenvectors().col(k).tail<3>();
-        Eigen::Matrix3Xd moves(3, places.cols());
-        for (int i = 0; i < places.cols(); ++i) moves.col(i) = shift + turn.cross(places.col(i) - middle) / size;
-        for (std::size_t before = first; before < m_motions.size(); ++before)
-            moves -= ordered_dot(m_motions[before].moves, moves) * m_motions[before].moves;
-        m_motions.push_back({&piece, moves / std::sqrt(ordered_dot(moves, moves))});
+        if (m_count == m_motions.size()) m_motions.emplace_back();
+        Motion& motion = m_motions[m_count++];
+        motion.piece = &piece;
+        motion.moves.resize(3, static_cast<Eigen::Index>(piece.vertices.size()));
+        for (int i = 0; i < motion.moves.cols(); ++i)
+            motion.moves.col(i) = shift + turn.cross(x.col(piece.vertices[i]) - middle) / size;
+        for (std::size_t before = first; before + 1 < m_count; ++before)
+            motion.moves -= ordered_dot(m_motions[before].moves, motion.moves) * m_motions[before].moves;
+        motion.moves /= std::sqrt(ordered_dot(motion.moves, motion.moves));
     }
 }
 
 void FreeMotions::take_out(Eigen::Matrix3Xd& vectors) const {
-    for (const auto& [piece, moves] : m_motions) {
-        const Eigen::Matrix3Xd before = vectors(Eigen::all, piece->vertices);
-        vectors(Eigen::all, piece->vertices) -= ordered_dot(moves, before) * moves;
+    for (std::size_t k = 0; k < m_count; ++k) {
+        const auto& [piece, moves] = m_motions[k];
+        double part = 0;
+        for (int i = 0; i < moves.cols(); ++i)
+            part += ordered_dot(Eigen::Vector3d(moves.col(i)), Eigen::Vector3d(vectors.col(piece->vertices[i])));
+        for (int i = 0; i < moves.cols(); ++i) vectors.col(piece->vertices[i]) -= part * moves.col(i);
     }
+}
+
+void HandleWalk::carry_along(const std::vector<int>& piece, const Eigen::VectorXd& is_held, const Positions& from,
+                             Positions& to) {
+    Eigen::Vector3d moves = Eigen::Vector3d::Zero();
+    double held = 0;
+    for (int v : piece) {
+        held += is_held[v];
+        moves += to.col(v) - from.col(v);  // of what is held, so far
+    }
+    for (int v : piece)
+        if (held > 0 && is_held[v] == 0) to.col(v) += moves / held;
 }
 
 void TangentNewton::find_free_motions(bool is_guided, std::span<const Pull> pulls, const Options& options) {

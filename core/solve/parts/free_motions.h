@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -33,7 +34,7 @@ private:
         Axes kept = k_no_axes;  // by something that slides
     };
     struct Motion {
-        const Piece* piece;
+        const Piece* piece = nullptr;
         Eigen::Matrix3Xd moves;  // of its vertices; of length 1, and orthogonal to those before
     };
     void find_motions(const Piece& piece, const Positions& x);
@@ -41,7 +42,8 @@ private:
     std::vector<Piece> m_pieces;
     std::vector<int> m_piece_of_vertex;
     Axes m_kept_by_weight = k_no_axes;
-    std::vector<Motion> m_motions;
+    std::vector<Motion> m_motions;  // the first so many; more have been there before
+    std::size_t m_count = 0;
 };
 
 }  // namespace chebnet

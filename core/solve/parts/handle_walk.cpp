@@ -43,18 +43,6 @@ RigidMotion placing(const Positions& shape, const Positions& to, const Eigen::Ve
     return fit_rigid_motion(shape, to, (is_held.array() + k_free_weight / static_cast<double>(to.cols())).matrix());
 }
 
-/// Moves what is free of a piece as what is held does on the average, so that handles which move together turn nothing.
-void carry_along(const std::vector<int>& piece, const Eigen::VectorXd& is_held, const Positions& from, Positions& to) {
-    Eigen::Vector3d moves = Eigen::Vector3d::Zero();
-    double held = 0;
-    for (int v : piece) {
-        held += is_held[v];
-        moves += to.col(v) - from.col(v);  // of what is held, so far
-    }
-    for (int v : piece)
-        if (held > 0 && is_held[v] == 0) to.col(v) += moves / held;
-}
-
 }  // namespace
 
 void HandleWalk::set_handles(HeldVertices held, const Topology& topology) {

@@ -58,6 +58,10 @@ public:
     static constexpr double k_same = 1e-6;
 
 private:
+    /// Moves what is free of a piece as what is held does on the average: handles that move together turn nothing.
+    static void carry_along(const std::vector<int>& piece, const Eigen::VectorXd& is_held, const Positions& from,
+                            Positions& to);
+
     const Topology* m_topology = nullptr;
     HeldVertices m_held;
     std::vector<std::vector<int>> m_pieces;  // of the net, each with its vertices ascending

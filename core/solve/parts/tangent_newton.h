@@ -131,7 +131,7 @@ private:
     LengthProjection* m_lengths = nullptr;
     std::vector<int> m_fixed;  // vertices
     std::vector<Slide> m_slides;
-    std::vector<std::pair<int, double>> m_firm;   // vertices where the W of lengths is below 1, and it
+    std::vector<std::pair<int, double>> m_firm;  // vertices where the W of lengths is below 1, and it
     std::shared_ptr<FreeMotions> m_free_motions;
     bool m_is_free = false;  // to move as a whole, as these say
     // M as links and weights at vertices.
