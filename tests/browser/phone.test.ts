@@ -346,6 +346,18 @@ test.each([
   },
 );
 
+test('at 400 % tools and legend stay above the line of the solver, and its buttons can be pressed', async () => {
+  const { page, script } = await share({ viewport: { width: 320, height: 256 } });
+  await script.settled();
+  await drawn(page);
+  await page.screenshot({ path: join(OUTPUT, 'at-400.png') });
+  expect(await overlaps(page, ['.title h1', '.toolbar:not(.selection-bar)', '.legend', '.status'])).toEqual([]);
+  expect(await faults(page, '.toolbar')).toEqual([]);
+  expect(await faults(page, '.status')).toEqual([]);
+  await page.getByRole('button', { name: 'Controls', exact: true }).click();
+  await page.locator('.sections.open').waitFor();
+});
+
 /** Lower than wide, from a small phone on its side to a low window. */
 const LOW = [
   { width: 740, height: 360 },
