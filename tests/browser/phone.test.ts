@@ -358,6 +358,17 @@ test('at 400 % tools and legend stay above the line of the solver, and its butto
   await page.locator('.sections.open').waitFor();
 });
 
+test.each([
+  [640, 400],
+  [640, 360],
+])('at %i by %i the legend leaves the line of the solver free beside open controls', async (width, height) => {
+  const { page } = await share({ viewport: { width, height } });
+  await page.getByRole('button', { name: 'Controls', exact: true }).click();
+  await drawn(page);
+  await page.screenshot({ path: join(OUTPUT, `legend-beside-controls-${height}.png`) });
+  expect(await overlaps(page, ['.legend', '.status', '.toolbar:not(.selection-bar)'])).toEqual([]);
+});
+
 /** Lower than wide, from a small phone on its side to a low window. */
 const LOW = [
   { width: 740, height: 360 },
