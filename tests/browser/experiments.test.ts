@@ -100,6 +100,32 @@ test('links lead to other edits with the same variant, and to other variants wit
   await expect.poll(current).toEqual([other, '5 × local–global']);
 });
 
+test.each([
+  [1280, 800],
+  [1366, 768],
+])('at %i by %i what is said of a net that is stuck leaves the buttons of the note free', async (width, height) => {
+  const { page, script } = await visitFigure('long-edges', { width, height });
+  const { vertex, target } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await script.move(vertex, [target[0], target[1], target[2] + 20]);
+  await page.locator('.stuck-notice .message').waitFor();
+  await script.settled();
+  await drawn(page);
+  await page.screenshot({ path: join(OUTPUT, `experiment-stuck-${width}.png`) });
+  const { buttons, covered } = await noteOf(page)
+    .locator('.buttons button:visible')
+    .evaluateAll((all) => {
+      // No message takes the pointer: what is below it can be pressed, but not seen.
+      const over = document.querySelector('.messages')!.getBoundingClientRect();
+      const isCovered = (each: Element) => {
+        const { left, right, top, bottom } = each.getBoundingClientRect();
+        return left < over.right && over.left < right && top < over.bottom && over.top < bottom;
+      };
+      return { buttons: all.length, covered: all.filter(isCovered).map(({ textContent }) => textContent) };
+    });
+  expect(buttons).toBeGreaterThan(1);
+  expect(covered).toEqual([]);
+});
+
 test('a phone shows net and note without scrolling sideways', async () => {
   const { page } = await arrive('#experiment=competitors', PHONE);
   await noteOf(page).getByText('Figure 17').waitFor();

@@ -253,7 +253,7 @@ describe('several handles', () => {
     const before = await locked();
     await row.getByRole('button', { name: 'Lock' }).click();
     await expect.poll(locked).toBe(before + fresh);
-    await row.getByRole('button', { name: 'Unlock' }).click();
+    await row.getByRole('button', { name: /^Unlock: Net line 1 · \d+ \(\d+\)$/ }).click();
 
     const name = visit.page.getByRole('textbox', { name: 'Name' });
     await name.fill('Ridge');
@@ -292,11 +292,11 @@ describe('a handle', () => {
     expect((await handles()).map(({ vertex }) => vertex)).toContain(corner);
 
     await openSection();
-    await visit.page
-      .getByRole('listitem')
-      .filter({ hasText: `Vertex ${corner}` })
-      .getByRole('button', { name: 'Unlock' })
-      .click();
+    // Its name says what a press does: that it is pressed would say the opposite.
+    const unlock = button(`Unlock: Vertex ${corner}`);
+    expect(await unlock.getAttribute('aria-pressed')).toBe(null);
+    await unlock.click();
+    await button(`Lock: Vertex ${corner}`).waitFor();
     await dragBy(script, corner, [-10, -10]);
     await script.settled();
     expect(distance(await targetOf(corner), rest(corner))).toBeGreaterThan(1e-3 * meanLength);

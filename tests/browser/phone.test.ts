@@ -54,6 +54,25 @@ async function faults(page: Page, inside: string): Promise<string[]> {
   return found;
 }
 
+/** Which of these parts lie on each other, if they are seen. */
+async function overlaps(page: Page, parts: readonly string[]): Promise<string[]> {
+  const seen = await Promise.all(
+    parts.map(async (part) => ({ part, box: await page.locator(part).first().boundingBox() })),
+  );
+  return seen.flatMap(({ part, box }, i) =>
+    seen.slice(i + 1).flatMap(({ part: other, box: beside }) => {
+      const apart =
+        box === null ||
+        beside === null ||
+        box.x + box.width <= beside.x ||
+        beside.x + beside.width <= box.x ||
+        box.y + box.height <= beside.y ||
+        beside.y + beside.height <= box.y;
+      return apart ? [] : [`${part} and ${other}`];
+    }),
+  );
+}
+
 describe.each(SIZES)('%s', (name, viewport, isMobile) => {
   const visit = () => share({ viewport, ...(isMobile && { hasTouch: true, isMobile }) });
   const picture = (page: Page, of: string) =>
@@ -72,21 +91,7 @@ describe.each(SIZES)('%s', (name, viewport, isMobile) => {
       );
     expect(words.length).toBe(8);
     expect(words.every(Boolean)).toBe(true);
-    const boxes = await Promise.all(
-      ['.title h1', '.toolbar:not(.selection-bar)', '.legend', '.status'].map(async (each) => ({
-        each,
-        box: (await page.locator(each).first().boundingBox())!,
-      })),
-    );
-    for (const [i, { each, box }] of boxes.entries())
-      for (const { each: other, box: beside } of boxes.slice(i + 1)) {
-        const apart =
-          box.x + box.width <= beside.x ||
-          beside.x + beside.width <= box.x ||
-          box.y + box.height <= beside.y ||
-          beside.y + beside.height <= box.y;
-        expect(apart, `${each} and ${other}`).toBe(true);
-      }
+    expect(await overlaps(page, ['.title h1', '.toolbar:not(.selection-bar)', '.legend', '.status'])).toEqual([]);
   });
 
   test('the net is large enough to be taken hold of, also beside open controls', async () => {
@@ -305,6 +310,63 @@ test('on its side a phone has nothing below its camera', async () => {
   await page.screenshot({ path: join(OUTPUT, 'below-the-camera.png') });
   const [left, right] = await sides('dialog.drape');
   expect([left >= 47, right <= 844 - 47]).toEqual([true, true]);
+});
+
+test.each([
+  [740, 360],
+  [640, 400],
+])(
+  'at %i by %i what is said of a net that is stuck covers neither the handle nor what can be done with it',
+  async (width, height) => {
+    const { page, script } = await share({ viewport: { width, height }, hasTouch: true, isMobile: true });
+    await script.open({ recipe: 'dome:vertices=500,reach=55' });
+    await script.settled();
+    await drawn(page);
+    const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+    const { x, y } = await script.screenPosition(vertex);
+    await page.touchscreen.tap(x, y);
+    await page.locator('.selection-bar').waitFor();
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 150, y - 130, { steps: 10 });
+    await page.mouse.up();
+    await script.settled();
+    await page.locator('.stuck-notice .message').waitFor();
+    await drawn(page);
+    await page.screenshot({ path: join(OUTPUT, `stuck-selected-${width}.png`) });
+    expect(await page.locator('.selection-bar').isVisible()).toBe(true);
+    for (const part of ['.stuck-notice', '.selection-bar']) expect(await faults(page, part)).toEqual([]);
+    expect(await overlaps(page, ['.stuck-notice', '.selection-bar'])).toEqual([]);
+    const at = await script.screenPosition(vertex);
+    for (const part of ['.stuck-notice', '.selection-bar']) {
+      const box = (await page.locator(part).boundingBox())!;
+      const isCovered = at.x > box.x && at.x < box.x + box.width && at.y > box.y && at.y < box.y + box.height;
+      expect(isCovered, part).toBe(false);
+    }
+  },
+);
+
+test('at 400 % tools and legend stay above the line of the solver, and its buttons can be pressed', async () => {
+  const { page, script } = await share({ viewport: { width: 320, height: 256 } });
+  await script.settled();
+  await drawn(page);
+  await page.screenshot({ path: join(OUTPUT, 'at-400.png') });
+  expect(await overlaps(page, ['.title h1', '.toolbar:not(.selection-bar)', '.legend', '.status'])).toEqual([]);
+  expect(await faults(page, '.toolbar')).toEqual([]);
+  expect(await faults(page, '.status')).toEqual([]);
+  await page.getByRole('button', { name: 'Controls', exact: true }).click();
+  await page.locator('.sections.open').waitFor();
+});
+
+test.each([
+  [640, 400],
+  [640, 360],
+])('at %i by %i the legend leaves the line of the solver free beside open controls', async (width, height) => {
+  const { page } = await share({ viewport: { width, height } });
+  await page.getByRole('button', { name: 'Controls', exact: true }).click();
+  await drawn(page);
+  await page.screenshot({ path: join(OUTPUT, `legend-beside-controls-${height}.png`) });
+  expect(await overlaps(page, ['.legend', '.status', '.toolbar:not(.selection-bar)'])).toEqual([]);
 });
 
 /** Lower than wide, from a small phone on its side to a low window. */

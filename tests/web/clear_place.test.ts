@@ -1,5 +1,6 @@
-/** Notices over the picture keep off the handles. */
-import { expect, test } from 'vitest';
+/** Notices over the picture keep off the handles, and off what can be pressed. */
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import type { HandleData } from '../../web/src/document/document';
 import { placeClear } from '../../web/src/overlay/clear_place';
 
 const BOXES: Record<string, { left: number; right: number }> = {
@@ -7,19 +8,52 @@ const BOXES: Record<string, { left: number; right: number }> = {
   start: { left: 0, right: 20 },
   end: { left: 80, right: 100 },
   top: { left: 40, right: 60 },
+  'top-end': { left: 80, right: 100 },
 };
 
+const dataset: Record<string, string> = {};
+const box = () => ({ ...BOXES[dataset['place']!]!, top: 80, bottom: 100 });
+const messages = { getBoundingClientRect: box, contains: () => false };
+const notice = { dataset, parentElement: messages } as unknown as HTMLElement;
+
+/** Of so wide a button at the lower edge. */
+const button = (left: number, right: number, isSeen = true) => ({
+  checkVisibility: () => isSeen,
+  getBoundingClientRect: () => ({ left, right, top: 80, bottom: 100 }),
+});
+
+let buttons: ReturnType<typeof button>[];
+beforeEach(() => {
+  delete dataset['place'];
+  buttons = [];
+  vi.stubGlobal('document', { querySelectorAll: () => buttons });
+});
+afterEach(() => vi.unstubAllGlobals());
+
+/** @param places of handles, from the left. */
+function place(...places: number[]) {
+  const screenPositions = vi.fn((vertices: readonly number[]) => vertices.map((vertex) => ({ x: vertex, y: 90 })));
+  const handles = places.map((vertex): HandleData => ({ vertex, target: [0, 0, 0], anchor: false }));
+  placeClear(notice, handles, { screenPositions });
+  return screenPositions;
+}
+
 test('a notice goes where no handle is, and asks once where all of them are', () => {
-  const dataset: Record<string, string> = {};
-  const box = () => ({ ...BOXES[dataset['place']!]!, top: 80, bottom: 100 });
-  const element = { dataset, getBoundingClientRect: box } as unknown as HTMLElement;
-  const handles = [50, 10].map((vertex) => ({ vertex, target: [0, 0, 0] as [number, number, number], anchor: false }));
-  let asked = 0;
-  const screenPositions = (vertices: readonly number[]) => {
-    asked += 1;
-    return vertices.map((vertex) => ({ x: vertex, y: 90 }));
-  };
-  placeClear(element, handles, { screenPositions });
+  expect(place(50, 10)).toHaveBeenCalledOnce();
   expect(dataset['place']).toBe('end');
-  expect(asked).toBe(1);
+});
+
+test('a notice goes where no button is that is seen, and stays there', () => {
+  buttons = [button(30, 70), button(0, 20, false)];
+  place();
+  expect(dataset['place']).toBe('start');
+  buttons = [];
+  place();
+  expect(dataset['place']).toBe('start');
+});
+
+test('where something is everywhere, a notice covers the least', () => {
+  buttons = [button(0, 5), button(10, 15), button(45, 100)];
+  place(50);
+  expect(dataset['place']).toBe('end');
 });

@@ -143,6 +143,11 @@ export class DocumentHere {
     return selector === 'canvas' ? this.canvas : null;
   }
 
+  /** None is anywhere on the page. */
+  querySelectorAll(): ElementHere[] {
+    return [];
+  }
+
   /** What is hidden or disabled loses the focus. */
   get activeElement(): ElementHere | null {
     return this.#active?.isSeen && !this.#active.disabled ? this.#active : null;

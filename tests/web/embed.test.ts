@@ -62,7 +62,7 @@ test('what fails is answered with code and message', async () => {
 });
 
 test('only what a call needs is passed on', async () => {
-  await ask('setHandles', [{ vertex: 1, target: [0, 0, 1], anchor: true, other: 'x' }, { vertex: 2 }]);
+  await ask('setHandles', [{ vertex: 1, target: [0, 0, 1], anchor: true, other: undefined }, { vertex: 2 }]);
   expect(script.setHandles).toHaveBeenCalledWith([{ vertex: 1, target: [0, 0, 1], anchor: true }, { vertex: 2 }]);
 });
 
@@ -85,6 +85,7 @@ test.each([
   ],
   ['a point of many numbers', 'bad_arguments', 'move', [0, Array(1e6).fill(0)]],
   ['too many handles', 'bad_arguments', 'setHandles', [Array(10_001).fill({ vertex: 0 })]],
+  ['a field that no handle has', 'bad_arguments', 'setHandles', [[{ vertex: 1, other: 'x' }]]],
   ['an option that is an object', 'bad_arguments', 'setOptions', [{ threshold: {} }]],
   ['more arguments than any call takes', 'bad_arguments', 'stats', Array(11).fill(0)],
   ['an event that is none', 'bad_arguments', 'on', ['click']],

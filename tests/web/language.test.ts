@@ -7,6 +7,7 @@ import { experiments as experimentsInEnglish } from '../../web/src/language/en/e
 import { learn as learnInEnglish } from '../../web/src/language/en/learn';
 import { lesson as lessonInEnglish } from '../../web/src/language/en/lesson';
 import { panels as panelsInEnglish } from '../../web/src/language/en/panels';
+import { scripts as scriptsInEnglish } from '../../web/src/language/en/scripts';
 import { zh } from '../../web/src/language/zh';
 import * as ZH_CORE from '../../web/src/language/zh/core';
 import { DEFECTS, dialogs as dialogsInChinese } from '../../web/src/language/zh/dialogs';
@@ -14,6 +15,7 @@ import { experiments as experimentsInChinese } from '../../web/src/language/zh/e
 import { learn as learnInChinese } from '../../web/src/language/zh/learn';
 import { lesson as lessonInChinese } from '../../web/src/language/zh/lesson';
 import * as ZH_PANELS from '../../web/src/language/zh/panels';
+import { scripts as scriptsInChinese } from '../../web/src/language/zh/scripts';
 import { load, ROOT } from '../wasm/load';
 
 const { CORE_ERRORS, PARAMETERS } = ZH_CORE;
@@ -36,6 +38,7 @@ const english = leaves({
   lesson: lessonInEnglish,
   panels: panelsInEnglish,
   experiments: experimentsInEnglish,
+  scripts: scriptsInEnglish,
 });
 const chinese = leaves({
   ...zh,
@@ -44,6 +47,7 @@ const chinese = leaves({
   lesson: lessonInChinese,
   panels: panelsInChinese,
   experiments: experimentsInChinese,
+  scripts: scriptsInChinese,
 });
 
 /** What stays as it is in Chinese. */

@@ -4,6 +4,8 @@ import type { Axes } from '../../wasm/chebnet';
 import { readCoreName } from './document/core_name';
 import { axesToSlide, type GuideSource, LONGEST_FILE_NAME, LONGEST_NAME, type Vec3 } from './document/document';
 import type { Untrusted } from './document/untrusted';
+import { Failure } from './failure';
+import { scriptWords } from './language/scripts';
 
 export type ScriptNet = { recipe: string } | { obj: string; name?: string };
 
@@ -34,11 +36,16 @@ export type ScriptOptions = { method?: string; initialisation?: string } & Recor
 /** Of a surface's faces, for each that it may have. A list may stand in another one many times, and take no more room there. */
 const MOST_CORNERS = 10;
 
+const NET_FIELDS = ['recipe', 'obj', 'name'];
+const HANDLE_FIELDS = ['vertex', 'target', 'anchor', 'name', 'hidden', 'weight', 'slides'];
+const SURFACE_FIELDS = ['own', 'vertices', 'faces', 'name'];
+
 /** @param longest characters of an OBJ. */
 export function readNet(net: Untrusted, longest = Infinity): ScriptNet {
+  refuseOthers(net, NET_FIELDS);
   const recipe = net.at('recipe').maybe(readCoreName);
   if (recipe !== undefined) return { recipe };
-  const obj = net.at('obj').text(longest);
+  const obj = net.at('obj').maybe((each) => each.text(longest)) ?? net.fail(scriptWords.net);
   const name = net.at('name').maybe((each) => each.name(LONGEST_FILE_NAME));
   return name === undefined ? { obj } : { obj, name };
 }
@@ -49,6 +56,7 @@ export function readHandles(handles: Untrusted, most = Infinity): ScriptHandle[]
 }
 
 function readHandle(handle: Untrusted): ScriptHandle {
+  refuseOthers(handle, HANDLE_FIELDS);
   const target = handle.at('target').maybe((each) => each.point());
   const anchor = handle.at('anchor').maybe((each) => each.flag());
   const name = handle.at('name').maybe((each) => each.name(LONGEST_NAME));
@@ -83,8 +91,10 @@ export function readGuide(surface: Untrusted, most = Infinity): ScriptSurface | 
 /** Whether there is such a surface, the core says.
  *  @param most vertices or faces. */
 export function readSurface(surface: Untrusted, most = Infinity): ScriptSurface {
+  refuseOthers(surface, SURFACE_FIELDS);
   const own = surface.at('own').maybe(readCoreName);
   if (own !== undefined) return { own };
+  if (surface.at('vertices').value === undefined) surface.fail(scriptWords.surface);
   const name = surface.at('name').maybe((each) => each.name(LONGEST_FILE_NAME));
   let corners = MOST_CORNERS * most;
   return {
@@ -130,6 +140,13 @@ export function readOptions(options: Untrusted): ScriptOptions {
 
 function readSetting(setting: Untrusted): number | boolean {
   return typeof setting.value === 'boolean' ? setting.value : setting.number();
+}
+
+/** One that does not exist would have been a wish. */
+function refuseOthers(record: Untrusted, known: readonly string[]): void {
+  const isOther = ([name, { value }]: [string, Untrusted]) => value !== undefined && !known.includes(name);
+  const [, other] = record.fields().find(isOther) ?? [];
+  if (other) throw new Failure(other.code, scriptWords.unknownField(other.path, known));
 }
 
 export function readEvent(event: Untrusted): 'frame' | 'settled' | 'error' {

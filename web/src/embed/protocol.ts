@@ -23,6 +23,8 @@
  *     settled(), positions(), edges(), handles(), stats(), screenPosition(vertex), link()
  *     on('frame' | 'settled' | 'error'), off(…)
  *
+ * A record with a field that is not among these is refused.
+ *
  * Calls may be sent together: those that change the net are carried out in this order, and `settled`, `report` and `link` tell
  * of what came of those before. `positions`, `edges`, `handles`, `stats` and `screenPosition` are answered at once.
  *

@@ -78,8 +78,8 @@ export class HandleGroupRow {
     );
     classList.toggle('unseen', hidden);
     this.#select.setAttribute('aria-pressed', String(selected));
-    this.#eye.set(hidden);
-    this.#lock.set(locked);
+    this.#eye.set(hidden, title);
+    this.#lock.set(locked, title);
   }
 
   focus(): void {

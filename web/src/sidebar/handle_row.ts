@@ -84,7 +84,8 @@ export class HandleRow {
     if (!alone && handle === this.#handle && state === this.#shown) return;
     [this.#handle, this.#shown] = [handle, state];
     const { target, anchor, hidden, weight, slides } = handle;
-    setText(this.#title, titleOf(handle));
+    const title = titleOf(handle);
+    setText(this.#title, title);
     const { classList } = this.element;
     classList.toggle('selected', selected);
     classList.toggle('locked', anchor);
@@ -93,8 +94,8 @@ export class HandleRow {
     classList.toggle('unseen', hidden === true);
     this.#select.setAttribute('aria-pressed', String(selected));
     this.#select.setAttribute('aria-expanded', String(alone));
-    this.#eye.set(hidden === true);
-    this.#lock.set(anchor);
+    this.#eye.set(hidden === true, title);
+    this.#lock.set(anchor, title);
     this.#fields.hidden = !alone;
     if (!alone) return;
     setValue(this.#name, handle.name ?? '');

@@ -56,6 +56,8 @@ export const panels = {
     show: 'Show',
     lock: 'Lock',
     unlock: 'Unlock',
+    /** One of these four, of a row of the list. */
+    ofRow: (does: string, row: string) => `${does}: ${row}`,
     soft: 'Soft',
     weight: 'Weight',
     more: (next: number, left: number) => (next < left ? `Show ${next} of ${left} more` : `Show ${left} more`),

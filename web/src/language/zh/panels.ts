@@ -274,6 +274,7 @@ export const panels: Widened<typeof en> = {
     show: '显示',
     lock: '锁定',
     unlock: '解锁',
+    ofRow: (does, row) => `${does}：${row}`,
     soft: '柔性',
     weight: '权重',
     more: (next, left) => (next < left ? `另有 ${left} 个手柄，再显示 ${next} 个` : `再显示 ${left} 个手柄`),
