@@ -1,6 +1,7 @@
 // Options::length_scale, and the smallest one with which a net meets its handles (LengthAdapter).
 #include "edit/length_adapter.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -178,6 +179,14 @@ TEST_CASE("Where no scale does, that is said") {
         CHECK(LengthAdapter(editor, {{35, 100 * far}}).solve().status == Status::unreachable);
     }
     CHECK_THROWS_AS(LengthAdapter(editor, {{7, far}}), Error);
+}
+
+TEST_CASE("While a locality holds edges do not grow, and it is said why") {
+    const Net net = samples::patch(11, 11, 0.4);
+    const Handle wanted = crown_lifted(net, 3);
+    Editor editor = editor_of(net, {0, k_middle, k_far_corner});
+    editor.set_locality(3 * net.mean_length(), std::array{k_middle});
+    CHECK_THROWS_WITH(LengthAdapter(editor, {wanted}), Catch::Matchers::Contains("with a locality edges do not grow"));
 }
 
 TEST_CASE("Interrupted anywhere, the scale found is the same") {

@@ -271,6 +271,82 @@ test('what a change would do is shown no longer than what is selected stays so',
   expect(shown).toEqual({ preview: [], faded: false });
 });
 
+describe('of a net that stopped short of its handles the notice says why, and offers what helps:', () => {
+  const { grow, widen, fellShort, localFellShort, tooNear, unreachable } = panelWords.stuck;
+  const sheet = { method: 'equilibrium', options: {} } as unknown as ChebnetDocument;
+  const held = [handle(0), handle(1), handle(120)];
+  const good = {
+    status: 'converged',
+    iterations: 3,
+    maxDeviation: 0,
+    positions: net.restPositions,
+    fields: { deviation: new Float32Array(net.edges.length / 2) },
+    unreachable: [],
+    handles: held,
+  } as unknown as FrameData;
+  const short = { ...good, fellShort: true };
+  let scale: number;
+  let document: ChebnetDocument;
+  let notice: StuckNotice;
+
+  beforeEach(() => {
+    const adaptLengths = async (): Promise<number> => scale;
+    const events = { handles: SILENT, adaptLengths, mark: () => {}, screenPositions: () => [] };
+    notice = new StuckNotice(events as unknown as PanelEvents, String);
+    notice.setNet(net);
+    notice.setHandles(held, choose());
+    show(sheet, short);
+  });
+  const show = (of: ChebnetDocument, frame: FrameData): void => {
+    document = of;
+    notice.setDocument(document);
+    notice.setFrame(frame, 60, false);
+  };
+  const stuckBy = (vertexA: number, vertexB: number, distance: number, reach: number): FrameData => {
+    const unreachable = [{ vertexA, vertexB, distance, reach }];
+    return { ...good, status: 'unreachable', maxDeviation: 0.5, unreachable } as unknown as FrameData;
+  };
+  const isOffered = (way: string): boolean => notice.element.hasChildNodes() && page.button(way).isSeen;
+
+  test('edges that grow, of the whole net', () => {
+    expect(notice.element.textContent).toContain(fellShort(null));
+    expect([isOffered(grow), isOffered(widen)]).toEqual([true, false]);
+  });
+
+  test('with a locality, that the whole net moves', () => {
+    show({ ...sheet, locality: 3 }, short);
+    expect(notice.element.textContent).toContain(localFellShort);
+    expect([isOffered(grow), isOffered(widen)]).toEqual([false, true]);
+    show({ ...sheet, locality: 3 }, stuckBy(0, 120, 9, 8));
+    expect([isOffered(grow), isOffered(widen)]).toEqual([false, true]);
+  });
+
+  test('of handles nearer than the edge between them is long, to move them apart', () => {
+    show(sheet, stuckBy(0, 120, 9, 8));
+    expect(notice.element.textContent).toContain(unreachable(0, 120, '9.00', '8.00'));
+    expect(isOffered(grow)).toBe(true);
+    show(sheet, stuckBy(0, 1, 0.5, 1));
+    expect(notice.element.textContent).toContain(tooNear(0, 1, '0.500', '1.00'));
+    expect(isOffered(grow)).toBe(false);
+  });
+
+  test('and of edges that have grown it is said for as long as they are so, in this net', async () => {
+    const grownTo = async (to: number): Promise<string | null> => {
+      scale = to;
+      show(sheet, short);
+      page.button(grow).tell('click');
+      await new Promise((done) => setTimeout(done));
+      show({ ...sheet, options: { length_scale: to } }, good);
+      return notice.element.textContent;
+    };
+    expect(await grownTo(1)).toBe('');
+    expect(await grownTo(1.25)).toContain(panelWords.stuck.grown('25.0'));
+    notice.setNet(net);
+    notice.setFrame(good, 60, false);
+    expect(notice.element.textContent).toBe('');
+  });
+});
+
 test('of edges that have grown, lengths are told in edges as they are now', () => {
   const set: (Snapping | null)[] = [];
   const commands = { setSnapping: (snapping: Snapping | null) => set.push(snapping) } as unknown as HandleCommands;
