@@ -23,6 +23,10 @@ constexpr double k_least_weight = 0.1;
 
 // To choose them takes time by the third power of their number, and memory by the second.
 constexpr int k_most_integers = 2000;
+// Few enough to be chosen for so many longer and as many shorter cells, too. What fits better only by rounding is not
+// worth another number of cells.
+constexpr int k_few_integers = 60, k_scale_trials = 10;
+constexpr double k_clearly_fitter = 0.9;
 // Where cells may shear, so many rounds lead to edges of one length. Each goes farther than it aims by this factor, for
 // what is left shrinks slowly. The first keep cells more open than they need be, as far as they can: so the widest and
 // the narrowest are sheared alike.
@@ -70,7 +74,7 @@ public:
     }
 
     /// `smallest_angle`: of cells.
-    GridMap run(double smallest_angle, const std::function<void()>& go_on) {
+    GridMap run(double slack, double smallest_angle, const std::function<void()>& go_on) {
         assemble();
         const Eigen::MatrixXi basis = integer_null_space(m_integers, m_conditions);
         const Eigen::SparseMatrix<double> N = basis.cast<double>().sparseView();
@@ -97,12 +101,33 @@ public:
                 return shear(reals(), integers, std::lerp(open, smallest_angle, part));
             });
         }
-        integers = N * nearest_integers(S, slope()).cast<double>();
+        integers = N * fitting_integers(S, slope(), shears ? 0 : slack);
         if (shears) shear_in_rounds(go_on, [&](double) { return shear(reals(), integers, smallest_angle); });
         return map(reals(), integers);
     }
 
 private:
+    /// Whole numbers near those of the best map, or of that with longer or shorter cells. Edges get one length after
+    /// all, so that of y only the direction counts, beside that of the best map: least is what is left of y beside it,
+    /// in the norm of S, as a part of y.
+    static Eigen::VectorXd fitting_integers(const Eigen::MatrixXd& S, const Eigen::VectorXd& slope, double slack) {
+        const int trials = S.rows() <= k_few_integers && slack > 0 ? k_scale_trials : 0;
+        const double whole = slope.dot(S.ldlt().solve(slope));
+        Eigen::VectorXd best;
+        double least = 0;
+        for (int k = 0; k <= 2 * trials; ++k) {
+            const int steps = k % 2 == 0 ? k / 2 : -(k + 1) / 2;  // the least change first
+            const double scale = trials > 0 ? 1 + slack * steps / trials : 1;
+            const Eigen::VectorXd y = nearest_integers(S, scale * slope).cast<double>();
+            const double along = y.dot(slope), square = y.dot(S * y);
+            const double misfit = square > 0 ? 1 - along * along / (square * whole) : 1;
+            if (best.size() > 0 && !(misfit < k_clearly_fitter * least)) continue;
+            best = y;
+            least = misfit;
+        }
+        return best;
+    }
+
     /// Coordinate of a corner in unknowns: those below m_reals are real, the others integers.
     struct Entry {
         int unknown;
@@ -465,9 +490,9 @@ GridPoint turned(const GridPoint& p, int quarter_turns) {
     return result;
 }
 
-GridMap fit_grid(const Surface& surface, const DirectionField& field, double length, const std::vector<bool>& on_lines,
-                 double smallest_angle, const std::function<void()>& go_on) {
-    return Fit(surface, field, length, on_lines).run(smallest_angle, go_on);
+GridMap fit_grid(const Surface& surface, const DirectionField& field, double length, double slack,
+                 const std::vector<bool>& on_lines, double smallest_angle, const std::function<void()>& go_on) {
+    return Fit(surface, field, length, on_lines).run(slack, smallest_angle, go_on);
 }
 
 }  // namespace chebnet

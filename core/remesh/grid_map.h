@@ -26,7 +26,8 @@ struct GridMap {
     std::vector<GridPoint> shifts;   ///< … and then moved by so much, whole cells
 };
 
-/// The map that follows the field best with cells of the given length: least squares in the gradients, with whole
+/// The map that follows the field best with cells of the given length, or one that is larger or smaller by a part of it
+/// up to `slack`, if whole numbers fit better then: least squares in the gradients, with whole
 /// numbers of cells between singular vertices, and around. No point of a triangle's corner has a coordinate in the
 /// middle of a cell. What is to be on lines of the grid, of each side of the surface whether it is, creases or the
 /// border, is on them where the field goes along it.
@@ -36,7 +37,7 @@ struct GridMap {
 /// cells around that edges of one length allow for where it is widest and narrowest. For fields without singular
 /// vertices, about which no cell is sheared along diagonals. Where there are no whole numbers to choose, as on a disc,
 /// cells stay squares. `go_on` is called in each round; whoever wants an end throws.
-GridMap fit_grid(const Surface& surface, const DirectionField& field, double length,
+GridMap fit_grid(const Surface& surface, const DirectionField& field, double length, double slack = 0,
                  const std::vector<bool>& on_lines = {}, double smallest_angle = std::numbers::pi / 2,
                  const std::function<void()>& go_on = nullptr);
 

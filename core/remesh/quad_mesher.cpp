@@ -25,6 +25,9 @@ namespace {
 
 // Edges of the net are longer than the cells of the grid by about this, for they are sheared.
 constexpr double k_stretch = 1.05;
+// By so much of it cells may be longer or shorter where whole numbers of them fit better between lines that are held,
+// unless their length is given.
+constexpr double k_slack = 0.03;
 // Of the triangles' edges, in edge lengths of the net.
 constexpr double k_triangle_length = 0.9;
 // One round of smoothing for so many vertices: so it reaches as far on the surface, however small the cells are.
@@ -188,12 +191,14 @@ Mesh QuadMesher::checked_mesh(const DirectionField& field, double size) const {
 
 GridMap QuadMesher::grid_along(const DirectionField& field, double length) const {
     const Surface& triangles = m_even.surface;
-    if (m_holds_lines) return fit_grid(triangles, field, length, either(m_even.creases, held_border(triangles)));
+    if (m_holds_lines)
+        return fit_grid(triangles, field, length, m_options.length > 0 ? 0 : k_slack,
+                        either(m_even.creases, held_border(triangles)));
     // At 45° to the border cells shear along diagonals, which follow it.
     const bool may_shear =
         m_options.border == Border::across && m_has_border && m_creases.sides.empty() && singular_count(field) == 0;
     if (!may_shear) return fit_grid(triangles, field, length);
-    return fit_grid(triangles, field, length, {}, std::max(k_least_grid_angle, m_options.smallest_angle),
+    return fit_grid(triangles, field, length, 0, {}, std::max(k_least_grid_angle, m_options.smallest_angle),
                     [this] { m_clock.tell(0); });
 }
 

@@ -670,6 +670,39 @@ TEST_CASE("Net lines follow the creases of a box if they are asked to") {
     CHECK(corner_angle_range(made.net, made.net.rest_positions()).smallest > 75 * samples::k_degree);
 }
 
+/// Of unit squares in the plane, by their lower left corners.
+Surface plate(const std::vector<std::array<int, 2>>& squares) {
+    Mesh mesh;
+    std::map<std::array<int, 2>, int> vertices;
+    const auto vertex = [&](int i, int j) {
+        const auto [place, is_new] = vertices.try_emplace({i, j}, static_cast<int>(vertices.size()));
+        if (is_new) {
+            mesh.positions.conservativeResize(3, place->second + 1);
+            mesh.positions.col(place->second) << i, j, 0;
+        }
+        return place->second;
+    };
+    for (const auto& [i, j] : squares)
+        mesh.faces.add(std::array{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    return Surface(mesh);
+}
+
+TEST_CASE("Flat plates of squares become squares, as many as fit between their corners") {
+    const Surface plates[] = {
+        plate({{0, 0}, {1, 0}, {2, 0}, {0, 1}, {0, 2}}),
+        plate({{0, 0}, {1, 0}, {2, 0}, {0, 1}, {2, 1}, {0, 2}, {2, 2}}),
+        plate({{0, 0}, {0, 1}, {0, 2}, {0, 3}, {0, 4}, {1, 0}, {2, 0}, {1, 2}, {2, 2}, {1, 4}, {2, 4}}),
+    };
+    const int cells = GENERATE(600, 1230, 2900);
+    for (const Surface& surface : plates) {
+        const Net net = remeshed(surface, of_cells(cells), 1).net;
+        CAPTURE(surface.area(), cells, net.face_count());
+        CHECK(corner_angle_range(net, net.rest_positions()).smallest > 89 * samples::k_degree);
+        CHECK(net.rest_positions().row(2).cwiseAbs().maxCoeff() < 1e-3 * net.mean_length());
+        CHECK(std::abs(net.face_count() - cells) < 0.15 * cells);
+    }
+}
+
 /// Closed, of radius and height 1.
 Surface can() {
     constexpr int k_around = 48;
