@@ -179,7 +179,8 @@ std::string sentence_of(const SurfaceReport& report, bool begins_anywhere) {
         case Prospect::too_curved:
             text = (is_ring(report) ? "One piece laid from a point leaves gaps on the way round"
                                     : "More curvature than one net can take") +
-                   (": coarse ones that were tried covered up to " + number_text(100 * report.tried_coverage, 2)) + " %. " +
+                   (": coarse ones that were tried covered up to " + number_text(100 * report.tried_coverage, 2)) +
+                   " %. " +
                    (is_ring(report) ? "Make a net over the whole, which goes round it, or cut it."
                                     : "Expect gaps here, cut it, or use singular vertices.");
             break;
