@@ -172,8 +172,7 @@ export const dialogs: Widened<typeof en> = {
       never: '阶梯状',
     },
     crease: '锐边',
-    creases: (degrees) =>
-      degrees === null ? '最合适者' : degrees === 0 ? '不跟随' : `超过 ${degrees}° 时跟随`,
+    creases: (degrees) => (degrees === null ? '最合适者' : degrees === 0 ? '不跟随' : `超过 ${degrees}° 时跟随`),
     showShear: '按剪切着色，60° 为红',
     prospects: {
       one_piece: (_covered) => '一张不剪开的网即可覆盖它。',
