@@ -172,8 +172,7 @@ export const dialogs: Widened<typeof en> = {
       never: '阶梯状',
     },
     crease: '锐边',
-    creases: (degrees) =>
-      degrees === null ? '最合适者' : degrees === 0 ? '不跟随' : `超过 ${degrees}° 时跟随`,
+    creases: (degrees) => (degrees === null ? '最合适者' : degrees === 0 ? '不跟随' : `超过 ${degrees}° 时跟随`),
     showShear: '按剪切着色，60° 为红',
     prospects: {
       one_piece: (_covered) => '一张不剪开的网即可覆盖它。',
@@ -271,6 +270,7 @@ export const dialogs: Widened<typeof en> = {
     sheared: '剪切超过 15° 的网格',
     muchSheared: '剪切超过 30° 的网格',
     folds: '超过 60° 的折痕',
+    foldsOf: (folds, own) => `${folds}，不在曲面的锐边处：${own}`,
     gaps: '空缺',
     refused: '未铺：过尖、与自身相遇',
     refusals: (locked, met) => `${locked}、${met} 处`,
