@@ -1,6 +1,6 @@
 /** A phone, upright and on its side, and a desk at 200 %: all there is can be reached, is large enough and is not covered. */
 import { join } from 'node:path';
-import type { Page } from 'playwright-core';
+import type { Locator, Page } from 'playwright-core';
 import { describe, expect, test } from 'vitest';
 import { en } from '../../web/src/language/en';
 import { zh } from '../../web/src/language/zh';
@@ -151,6 +151,15 @@ describe.each(SIZES)('%s', (name, viewport, isMobile) => {
     await drawn(page);
     await picture(page, 'selected');
     expect(await faults(page, '.selection-bar')).toEqual([]);
+    // The field of the radius stands in a row with buttons, at their height.
+    const middle = async (each: Locator) => {
+      const { y, height } = (await each.boundingBox())!;
+      return y + height / 2;
+    };
+    const bar = page.locator('.selection-bar');
+    const field = await middle(bar.getByRole('spinbutton'));
+    const buttons = await Promise.all((await bar.locator('button:visible').all()).map(middle));
+    expect(Math.min(...buttons.map((at) => Math.abs(at - field)))).toBeLessThan(3);
     const covered = await page.evaluate(
       () =>
         Array.from({ length: window.chebnet.stats().vertices }, (_, v) => window.chebnet.screenPosition(v)).filter(

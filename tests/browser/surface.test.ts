@@ -1058,6 +1058,26 @@ test('a net that folds says why, and what lies smoother', async () => {
   await draper().getByText('Sharp folds').waitFor({ state: 'hidden' });
 });
 
+test('over a plain box, lines follow its edges unasked, and nothing is said of folds', async () => {
+  const corners = Array.from({ length: 8 }, (_, i) => `v ${i & 1 ? 3 : 0} ${i & 2 ? 2 : 0} ${i & 4 ? 1.5 : 0}`);
+  const walls = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((wall) => wall.split(' '));
+  const triangles = walls.flatMap(([a, b, c, d]) => [`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`]);
+  await dropFile(visit.page, 'box.obj', [...corners, ...triangles].join('\n'));
+  await dialog(/^box\.obj$/)
+    .getByRole('button', { name: 'Make a net on it…' })
+    .click();
+  await draper().getByRole('combobox', { name: 'Net', exact: true }).selectOption('whole');
+  expect(await draper().getByRole('combobox', { name: 'Sharp edges' }).inputValue()).toBe('');
+  await press('Make the net');
+  await measured();
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-box.png') });
+  expect(await results()).toMatch(/Covered\s+100 %/);
+  expect(await results()).toMatch(/Cells sheared over 15°\s+0 %/);
+  expect(await results()).toMatch(/Folds over 60°\s+\d+, away from sharp edges none/);
+  expect(await results()).toMatch(/Singular vertices, of so many edges\s+8: 8 × 3/);
+  expect(await draper().locator('.prospect').innerText()).toBe('');
+});
+
 test('net lines over a whole surface follow lines that are drawn, by hand and by keys', async () => {
   const { vertices: first } = await script.stats();
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();

@@ -1,10 +1,10 @@
 /** Nets on surfaces, without a page: answers of the worker, what waits while it works, and the geometry of the seed. */
 import { describe, expect, test } from 'vitest';
-import type { Point } from '../../wasm/chebnet';
+import type { Mesh, Point } from '../../wasm/chebnet';
 import { guideTitle } from '../../web/src/document/changes';
 import { sentenceOf } from '../../web/src/document/naming';
 import { cellsOf, lengthOf } from '../../web/src/drape/cells';
-import type { Cut, DrapeRequest, DrapeResponse, Ray } from '../../web/src/drape/drape_protocol';
+import type { Cut, DrapeRequest, DrapeResponse, Ray, SurfaceSource } from '../../web/src/drape/drape_protocol';
 import { Draper } from '../../web/src/drape/draper';
 import { Draping } from '../../web/src/drape/draping';
 import type { DrapeWorkerLike } from '../../web/src/drape/draping';
@@ -183,6 +183,74 @@ describe('the worker', () => {
     const defects = remeshed.singularVertices.map(({ valence, count }) => (4 - valence) * count);
     expect(defects.reduce((sum, each) => sum + each)).toBe(8);
     expect(measured.report.coverage).toBeGreaterThan(0.95);
+  });
+
+  test('counts as folds of the net itself none where it follows an edge of the surface, and all where that has none', () => {
+    const measured = (source: SurfaceSource, mesh: Mesh) => {
+      const [, response] = answers({ type: 'open', source }, { type: 'measure', mesh });
+      return response?.type === 'measured' ? { folds: response.report.folds, own: response.ownFolds } : expect.fail();
+    };
+    // A gutter of three walls as a surface of six triangles, and as a net of squares.
+    const gutter = (across: number[][], along: number): Mesh => {
+      const quads = across.slice(1).flatMap((_, i) => Array.from({ length: along }, (_, j) => [i, j] as const));
+      const at = (i: number, j: number): number => i * (along + 1) + j;
+      return {
+        positions: Float64Array.from(
+          across.flatMap(([x, z]) => Array.from({ length: along + 1 }, (_, j) => [x!, (4 * j) / along, z!]).flat()),
+        ),
+        faceStart: Int32Array.from({ length: quads.length + 1 }, (_, i) => 4 * i),
+        faceVertices: Int32Array.from(
+          quads.flatMap(([i, j]) => [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]),
+        ),
+      };
+    };
+    const walls = [
+      [0, 2],
+      [0, 0],
+      [2, 0],
+      [2, 2],
+    ];
+    const net = gutter(
+      [
+        [0, 2],
+        [0, 1],
+        [0, 0],
+        [1, 0],
+        [2, 0],
+        [2, 1],
+        [2, 2],
+      ],
+      4,
+    );
+    expect(measured({ mesh: gutter(walls, 1) }, net)).toEqual({ folds: 8, own: 0 });
+    expect(
+      measured(
+        {
+          mesh: gutter(
+            [
+              [0, 0],
+              [2, 0],
+            ],
+            1,
+          ),
+        },
+        net,
+      ),
+    ).toEqual({ folds: 8, own: 8 });
+    const pleated = gutter(
+      [
+        [0, 2],
+        [0, 1],
+        [0, 0],
+        [0.5, 0.9],
+        [1, 0],
+        [2, 0],
+        [2, 1],
+        [2, 2],
+      ],
+      4,
+    );
+    expect(measured({ mesh: gutter(walls, 1) }, pleated)).toEqual({ folds: 16, own: 8 });
   });
 
   test('tries how few singular vertices it takes, and says so, if that is asked for', () => {

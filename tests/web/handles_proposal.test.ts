@@ -17,6 +17,10 @@ function gaps(net: OpenedNet, from: readonly number[], to: readonly number[]): n
   return from.map((vertex) => away.get(vertex)!.distance / net.info.meanLength);
 }
 
+function inSpace({ restPositions: at }: OpenedNet, a: number, b: number): number {
+  return Math.hypot(at[3 * a]! - at[3 * b]!, at[3 * a + 1]! - at[3 * b + 1]!, at[3 * a + 2]! - at[3 * b + 2]!);
+}
+
 describe('one is free, the last, and the others hold', () => {
   test.each(['sheet', 'tube', 'torus', 'teddy', 'dome'])('%s', (name) => {
     const net = shape(`${name}:vertices=900`);
@@ -140,11 +144,51 @@ describe('a ring that was laid in one piece', () => {
     expect(Math.min(...vertices.map((vertex) => net.restPositions[3 * vertex]!))).toBeLessThan(-10);
   });
 
+  test.each([5, 10, 20, 30])('of an opening of %i degrees neither side is dragged away from the other', (gap) => {
+    const net = ring(gap);
+    const proposed = proposedHandles(net);
+    const { vertex } = proposed.at(-1)!;
+    const along = distancesAround(net, [vertex], Infinity);
+    for (const other of proposed.slice(0, -1))
+      expect(inSpace(net, vertex, other.vertex)).toBeGreaterThan(along.get(other.vertex)!.distance / 4);
+  });
+
   test('has handles on both sides of its seam, neither of which is the free one: the other would hold it', () => {
     const vertices = proposedHandles(ring(0)).map(({ vertex }) => vertex);
     expect(vertices).toEqual(expect.arrayContaining(seamEnds.slice(2)));
     expect(seamEnds).not.toContain(vertices.at(-1));
   });
+});
+
+test('on a pebble that is wrapped in one piece, the free one is none of those that meet at its seam', () => {
+  const surface = core.ownSurface('pebble');
+  const { length } = surface.suggest(500);
+  const [{ seed, direction } = expect.fail()] = surface.propose({ length });
+  const net = mesh(surface.drape({ length, seed, direction }).mesh);
+  const vertices = proposedHandles(net).map(({ vertex }) => vertex);
+  const free = vertices.at(-1)!;
+  expect(vertices).toHaveLength(5);
+  for (const other of vertices.slice(0, -1)) expect(inSpace(net, free, other)).toBeGreaterThan(5 * length);
+});
+
+test('where a cut parts two pieces, a free one does not stand beside a handle of the other piece', () => {
+  const surface = core.ownSurface('shell');
+  const { length } = surface.suggest(400);
+  const [{ seed, direction } = expect.fail()] = surface.propose({ length });
+  const halved = surface.cut([[-9, 0, 9].map((y) => surface.nearest([0.1 * y, y, 1]).position)]);
+  const net = mesh(halved.drapePieces({ length, seed, direction }).mesh);
+  const proposed = proposedHandles(net);
+  const free = proposed.filter(({ anchor }) => !anchor);
+  expect(free).toHaveLength(2);
+  for (const { vertex } of free)
+    for (const other of proposed)
+      if (other.vertex !== vertex) expect(inSpace(net, vertex, other.vertex)).toBeGreaterThan(2 * length);
+});
+
+test('on a net of one cell one of its corners is free', () => {
+  const flat = grid(2, 2);
+  const proposed = proposedHandles(mesh({ ...flat, positions: flat.restPositions }));
+  expect(proposed.map(({ anchor }) => anchor)).toEqual([true, true, false]);
 });
 
 test('on a tube, whose borders have no corners, there are some at each end', () => {

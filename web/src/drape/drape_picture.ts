@@ -4,7 +4,7 @@ import type { Point, SurfacePlace } from '../../../wasm/chebnet';
 import type { UpAxis } from '../document/document';
 import { fieldOf, scaleOf } from '../fields/fields';
 import { words } from '../language/language';
-import { directionFor, fitCamera } from '../view/camera_fit';
+import { directionFor, fitCamera, type Stand } from '../view/camera_fit';
 import type { CameraRig } from '../view/camera_rig';
 import { HandleMarkers, toScreen } from '../view/handles';
 import { ColourTexture, NetData, netUniforms } from '../view/net_data';
@@ -19,6 +19,7 @@ import type { Cut, Ray, Seed, ShownNet, ShownSurface } from './drape_protocol';
 import { type PictureEvents, PictureGestures } from './picture_gestures';
 import { combined, cross, dot } from './seed';
 import { SeedRing } from './seed_ring';
+import { directionsTowards, isClear, isHidden } from './seen_from';
 import { SingularDots, type SingularMarks } from './singular_dots';
 import { SurfaceShade, turn } from '../view/surface_shade';
 
@@ -28,7 +29,8 @@ export interface Picture {
   /** @param seed from which it has been laid; null: it has none. */
   setNet(shown: ShownNet, seed: Seed | null): void;
   removeNet(): void;
-  /** Looks at a place from the front, unless the eye is within this angle of its normal already, degrees. */
+  /** Looks at a place from the front, or else from where no other part of the surface hides it, unless the eye sees it within
+   *  this angle of its normal already, degrees. */
   face(place: SurfacePlace, within: number): void;
   /** For the arrow keys. */
   focus(): void;
@@ -152,9 +154,22 @@ class DrapePicture implements Picture {
   face({ position, normal }: SurfacePlace, within: number): void {
     const eye = this.#space!.toNet(this.#rig.camera.position);
     const towards = combined(1, eye, -1, position);
-    if (dot(towards, normal) > Math.cos(within * DEGREE) * Math.hypot(...towards)) return;
-    turn(this.#direction, normal, this.#space!);
-    this.#direction.addScaledVector(directionFor(), 0.7).normalize();
+    const place = this.#scenePoint(position);
+    const isWithin = dot(towards, normal) > Math.cos(within * DEGREE) * Math.hypot(...towards);
+    const { places, triangles } = this.#shade;
+    if (isWithin && !isHidden(place, this.#rig.camera.position, places, triangles)) return;
+    const upright = new Vector3();
+    turn(upright, normal, this.#space!);
+    const front = upright.clone().addScaledVector(directionFor(), 0.7).normalize();
+    // Where a place is seen from nowhere, one looks at it from the front all the same.
+    const stands = directionsTowards(upright, front).map((direction) => ({
+      direction,
+      eye: this.#stand(direction).position,
+    }));
+    const seen =
+      stands.find(({ eye }) => isClear(place, eye, places, triangles)) ??
+      stands.find(({ eye }) => !isHidden(place, eye, places, triangles));
+    this.#direction.copy(seen?.direction ?? front);
     this.#rig.framed = true;
     this.#frameAll();
   }
@@ -230,7 +245,11 @@ class DrapePicture implements Picture {
   }
 
   #frameAll(): void {
-    if (!this.#space) return;
+    if (this.#space) this.#rig.standAt(this.#stand(this.#direction));
+  }
+
+  /** To see the whole surface. */
+  #stand(direction: Vector3): Stand {
     const { places } = this.#shade;
     const count = places.length / 3;
     const points = new Float32Array(4 * count);
@@ -239,7 +258,7 @@ class DrapePicture implements Picture {
       points[4 * i + 1] = places[3 * i + 1]!;
       points[4 * i + 2] = places[3 * i + 2]!;
     }
-    this.#rig.standAt(fitCamera(points, count, this.#rig.camera, MARGIN, this.#direction));
+    return fitCamera(points, count, this.#rig.camera, MARGIN, direction);
   }
 
   #requestDraw(): void {

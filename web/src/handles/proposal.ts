@@ -19,8 +19,9 @@ const MOST_PIECES = 4;
 const LEAST_PROMINENCE = 0.1;
 /** Where a border reaches out twice no farther apart along the net than so many edges, it does so once. */
 const SAME_ALONG_NET = 4;
-/** Where the two sides of a seam meet, one of its handles is within so many edges in space of another. */
-const SAME_IN_SPACE = 2;
+/** Two face each other across a seam or a slit that are within so many edges in space, or as near by this part of the way between
+ *  them along the net. */
+const [FACING, FACING_PART] = [2, 0.25];
 /** A part of a border is left alone if it is farther in space from all handles than this part of the diagonal of its piece's box,
  *  and a way from any of them to another turns there by more than this, in degrees. Else two hold it between them, as the corners
  *  of a strip hold its middle, and the feet of an arch its top. */
@@ -28,8 +29,10 @@ const [ALONE_BEYOND, ALONE_TURN] = [0.4, 105];
 
 /** The last one is free, on the largest piece. */
 export function proposedHandles(net: OpenedNet): HandleSeed[] {
-  const largest = piecesOf(net).slice(0, MOST_PIECES);
-  return largest.reverse().flatMap((piece) => handlesOn(net, piece));
+  const largest = piecesOf(net).slice(0, MOST_PIECES).reverse();
+  const onPieces = largest.map((piece) => ({ piece, vertices: verticesOn(net, piece) }));
+  const all = onPieces.flatMap(({ vertices }) => vertices);
+  return onPieces.flatMap(({ piece, vertices }) => (vertices.length > 0 ? lastFree(net, piece, vertices, all) : []));
 }
 
 /** The vertices of each, of the largest first. */
@@ -45,8 +48,8 @@ function piecesOf(net: OpenedNet): number[][] {
   return pieces.sort((a, b) => b.length - a.length);
 }
 
-/** The farthest from the middle is free. */
-function handlesOn(net: OpenedNet, piece: readonly number[]): HandleSeed[] {
+/** The farthest from the middle the last. */
+function verticesOn(net: OpenedNet, piece: readonly number[]): number[] {
   const loops = loopsOf(net, new Set(piece));
   const [loop, ...holes] = loops;
   const middle = middleOf(net, piece);
@@ -58,7 +61,7 @@ function handlesOn(net: OpenedNet, piece: readonly number[]): HandleSeed[] {
   const vertices = ofBorder
     ? joinedOnBorder(net, ofBorder, loops.flat(), ALONE_BEYOND * sizeOf(net, piece))
     : farthestOut(net, away, loop ? WITH_BORDER : CLOSED);
-  return lastFree(net, outwards(vertices, away));
+  return outwards(vertices, away);
 }
 
 /** The farthest the last. */
@@ -96,14 +99,38 @@ function isAlone(net: OpenedNet, vertex: number, handles: readonly number[], bey
   return handles.every((a, at) => handles.slice(at + 1).every((b) => turnBetween(net, a, vertex, b) > ALONE_TURN));
 }
 
-/** The last one that stands alone is free: of two where a seam meets, it would be dragged away from the other. */
-function lastFree(net: OpenedNet, vertices: readonly number[]): HandleSeed[] {
-  const near = SAME_IN_SPACE * net.info.meanLength;
-  const isPaired = (vertex: number): boolean =>
-    vertices.some((other) => other !== vertex && apart(net, vertex, other) <= near);
-  const free = vertices.filter((vertex) => !isPaired(vertex)).at(-1) ?? vertices.at(-1);
+/** The last one that stands alone is free: of two on the sides of a seam or a slit, or of a cut between pieces, it would be dragged
+ *  away from the other. Where none does, as on a body that is wrapped in one piece, whose limbs all meet, another one is.
+ *  @param all of every piece. */
+function lastFree(
+  net: OpenedNet,
+  piece: readonly number[],
+  vertices: readonly number[],
+  all: readonly number[],
+): HandleSeed[] {
+  const standsAlone = (vertex: number): boolean => {
+    const along = distancesAround(net, [vertex], Infinity);
+    return all.every((other) => other === vertex || !faceEachOther(net, vertex, other, along.get(other)?.distance));
+  };
+  const free = [...vertices].reverse().find(standsAlone) ?? farthestInSpace(net, piece, vertices);
   const seed = (vertex: number): HandleSeed => ({ vertex, target: null, anchor: vertex !== free });
-  return [...vertices].sort((a, b) => Number(a === free) - Number(b === free)).map(seed);
+  return [...vertices.filter((vertex) => vertex !== free), free].map(seed);
+}
+
+/** @param along from one to the other; undefined: they are on two pieces. */
+function faceEachOther(net: OpenedNet, a: number, b: number, along = Infinity): boolean {
+  const gap = apart(net, a, b);
+  if (gap <= FACING * net.info.meanLength) return gap < along / 2;
+  return along !== Infinity && gap < FACING_PART * along;
+}
+
+function farthestInSpace(net: OpenedNet, piece: readonly number[], from: readonly number[]): number {
+  let [most, far] = [from.at(-1)!, 0];
+  for (const vertex of piece) {
+    const gap = Math.min(...from.map((each) => apart(net, vertex, each)));
+    if (gap > far) [most, far] = [vertex, gap];
+  }
+  return most;
 }
 
 /** Whether a corner of a border is no notch in it, nor the inner end of a slit: farther from the middle than the border beside it, and

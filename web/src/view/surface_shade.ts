@@ -83,6 +83,11 @@ export class SurfaceShade {
     return this.object.geometry.getAttribute('position').array as Float32Array;
   }
 
+  /** Their corners by their places, 3 each. */
+  get triangles(): Uint32Array {
+    return this.object.geometry.getIndex()!.array as Uint32Array;
+  }
+
   /** How far behind, in the scene. */
   setBehind(distance: number): void {
     this.object.material.uniforms.behind!.value = distance;

@@ -271,6 +271,7 @@ export const dialogs = {
     sheared: 'Cells sheared over 15°',
     muchSheared: 'Cells sheared over 30°',
     folds: 'Folds over 60°',
+    foldsOf: (folds: string, own: string) => `${folds}, away from sharp edges ${own}`,
     gaps: 'Gaps',
     refused: 'Refused: too sharp, met itself',
     refusals: (locked: string, met: string) => `${locked}, ${met} places`,

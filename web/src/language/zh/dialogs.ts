@@ -270,6 +270,7 @@ export const dialogs: Widened<typeof en> = {
     sheared: '剪切超过 15° 的网格',
     muchSheared: '剪切超过 30° 的网格',
     folds: '超过 60° 的折痕',
+    foldsOf: (folds, own) => `${folds}，不在曲面的锐边处：${own}`,
     gaps: '空缺',
     refused: '未铺：过尖、与自身相遇',
     refusals: (locked, met) => `${locked}、${met} 处`,
