@@ -173,8 +173,8 @@ std::string sentence_of(const SurfaceReport& report, bool begins_anywhere) {
             break;
         case Prospect::a_seam:
             text =
-                "One uncut piece will meet itself, as it does round a hole or a handle: expect a seam there, or make a "
-                "net over the whole.";
+                "One uncut piece will meet itself, as it does round a closed body, a hole or a handle: expect a seam "
+                "there, or make a net over the whole.";
             break;
         case Prospect::too_curved:
             text = (is_ring(report) ? "One piece laid from a point leaves gaps on the way round"

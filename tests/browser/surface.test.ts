@@ -285,7 +285,7 @@ test('on a surface of our own the net follows sliders and arrow keys, and to can
   await measured();
   await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Pebble');
   await draper()
-    .getByText(/^More curvature than one net can take/)
+    .getByText(/^One piece meets itself/)
     .waitFor();
   await measured();
   expect(await results()).not.toMatch(/Covered\s+100 %/);
@@ -869,7 +869,7 @@ test('cuts that help a net are proposed with what they help', async () => {
   await measured();
   await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Pebble');
   await draper()
-    .getByText(/^More curvature than one net can take/)
+    .getByText(/^One piece meets itself/)
     .waitFor();
   await measured();
   await draper().getByRole('slider', { name: 'Cells' }).press('Home');
@@ -1021,7 +1021,7 @@ test('of several pieces one gets a net that is laid from a seed, each a net over
   // Of a surface in one piece, what one piece would do is told for one piece.
   await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Torso');
   await measured();
-  const promise = draper().getByText(/^One piece meets itself, as round a hole or a handle/);
+  const promise = draper().getByText(/^One piece meets itself, as round a closed body, a hole or a handle/);
   expect(await promise.isVisible()).toBe(true);
   await kind.selectOption('whole');
   expect(await promise.isVisible()).toBe(false);
@@ -1200,7 +1200,7 @@ test('a script describes a surface, lays a net on it or over it, and reads how i
   const run = <T>(call: (script: typeof window.chebnet) => Promise<T>) =>
     visit.page.evaluate(`(${call.toString()})(window.chebnet)`) as Promise<T>;
   const described = await run((script) => script.describe({ own: 'pebble' }));
-  expect(described).toMatchObject({ prospect: 'too_curved', genus: 0, boundaryLoops: 0 });
+  expect(described).toMatchObject({ prospect: 'a_seam', genus: 0, boundaryLoops: 0 });
   const laid = await run((script) => script.drape({ own: 'hypar' }, { cells: 300, border: 'inside' }));
   expect(laid.coverage).toBeGreaterThan(0.8);
   expect(laid.maxDeviation).toBeLessThan(1e-12);
@@ -1272,7 +1272,7 @@ test('a singular vertex is dragged, and the next net has one there; none where a
   await measured();
   await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Pebble');
   await draper()
-    .getByText(/^More curvature than one net can take/)
+    .getByText(/^One piece meets itself/)
     .waitFor();
   await draper().getByRole('combobox', { name: 'Net', exact: true }).selectOption('whole');
   const cells = draper().getByRole('slider', { name: 'Cells' });

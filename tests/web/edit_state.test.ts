@@ -336,7 +336,8 @@ test('goes by one step to rest with other options, and to all of the net moving;
 
 test('keeps a name that is given while other lengths are looked for, also when those are taken back', async () => {
   const { app } = page;
-  await app.openScene({ ...scene, method: 'equilibrium', initialisation: 'naive', options: {} });
+  const { locality: _, ...whole } = scene;
+  await app.openScene({ ...whole, method: 'equilibrium', initialisation: 'naive', options: {} });
   await page.solve();
   await app.handles.move([{ vertex: dragged, target: at(dragged, 20) }]);
   await page.solve();

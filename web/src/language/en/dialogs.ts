@@ -167,7 +167,7 @@ export const dialogs = {
       one_piece: (_covered: string) => 'One uncut piece will cover it.',
       tight: (_covered: string) => 'One uncut piece may cover it, with a slit or sharp corners at some places.',
       a_seam: (_covered: string) =>
-        'One piece meets itself, as round a hole or a handle: expect a seam. The whole surface can do without.',
+        'One piece meets itself, as round a closed body, a hole or a handle: expect a seam. The whole surface can do without.',
       too_curved: (covered: string) =>
         `More curvature than one net can take: coarse ones that were tried covered up to ${covered}. Expect gaps, or cover the whole with singular vertices.`,
       ring: (covered: string) =>

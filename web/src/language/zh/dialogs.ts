@@ -177,7 +177,7 @@ export const dialogs: Widened<typeof en> = {
     prospects: {
       one_piece: (_covered) => '一张不剪开的网即可覆盖它。',
       tight: (_covered) => '一张不剪开的网或许能覆盖它，但个别地方会有裂缝或尖角。',
-      a_seam: (_covered) => '一张网会与自身相遇，例如绕孔洞或环柄一圈：会有一道接缝；“覆盖整个曲面”则没有。',
+      a_seam: (_covered) => '一张网会与自身相遇，例如绕封闭物体、孔洞或环柄一圈：会有一道接缝；“覆盖整个曲面”则没有。',
       too_curved: (covered) =>
         `曲率超过一张网所能承受的程度：试铺的粗网最多覆盖 ${covered}。会有空缺，或借助奇异顶点覆盖整个曲面。`,
       ring: (covered) => `一张网绕一圈会留下空缺：试铺的粗网最多覆盖 ${covered}。“覆盖整个曲面”则没有。`,
