@@ -64,7 +64,7 @@ std::unique_ptr<Term> make_closeness_term(const Net&, const Guide&, double, doub
     leave_to_the_whole_core();
 }
 std::unique_ptr<Term> make_yielding_limit(const Net&, double, double) { leave_to_the_whole_core(); }
-Eigen::VectorXd heights_over(const Surface&, const SurfaceTree&, const Positions&) { leave_to_the_whole_core(); }
+Eigen::VectorXd heights_over(const Guide&, const Positions&) { leave_to_the_whole_core(); }
 std::optional<std::vector<int>> edge_families(const Net&) { leave_to_the_whole_core(); }
 void BendingTerm::bend_rest_lines(const Net&, const Positions&, double) { leave_to_the_whole_core(); }
 /// The whole core begins the solve again.

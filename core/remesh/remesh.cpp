@@ -16,6 +16,7 @@
 #include "remesh/prepared_surface.h"
 #include "remesh/remesh_one_way.h"
 #include "remesh/rows.h"
+#include "remesh/scraps.h"
 #include "remesh/way_trials.h"
 
 namespace chebnet {
@@ -71,6 +72,7 @@ void check_remesh(const Guide& guide, const RemeshOptions& options) {
     if (!(cell <= k_largest_cell && cell >= 1 / k_largest_cell))
         throw Error(ErrorCode::bad_scale,
                     "the surface is too large or too small for a net over the whole of it: scale it");
+    check_scraps(surface, surface.area() / cells);
     check_wishes(guide, options.singular);
     if (options.fewest && (options.singular.only || !options.singular.vertices.empty()))
         throw Error(ErrorCode::bad_option, "either as few singular vertices as can be, or those that are wished for");

@@ -100,13 +100,13 @@ struct Remesh {
 ///
 /// Throws Error bad_option (numbers out of range; fewest together with wishes for vertices; wishes as check_wishes
 /// does; marked creases as cut_line and cut_open do; a surface that is too thin or too narrow somewhere for cells of
-/// this size, with what and where; no such net found), non_finite, bad_scale, too_large, and as the constructor of
-/// Surface does.
+/// this size, with what and where; no such net found), non_finite, bad_scale, too_large (cells; a surface in scraps, as
+/// check_scraps does), and as the constructor of Surface does.
 Remesh remesh(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options,
               const RemeshProgress& progress = {});
 
-/// Throws Error bad_option, non_finite, bad_scale or too_large where remesh() would for the numbers, wishes and points
-/// alone.
+/// Throws Error bad_option, non_finite, bad_scale or too_large where remesh() would for the numbers, wishes, points and
+/// pieces alone.
 void check_remesh(const Guide& guide, const RemeshOptions& options);
 
 inline constexpr int k_least_remeshed_cells = 20, k_most_remeshed_cells = 100'000;

@@ -13,7 +13,7 @@ enum class GuideMode {
     off,
     near,     ///< the net is drawn to it
     on,       ///< likewise, as strongly as makes the rest give way
-    outside,  ///< the net does not go below it, to where its normals do not point
+    outside,  ///< the net does not go below it: into a closed piece, or to where an open one's normals do not point
 };
 inline constexpr int k_guide_modes = 4;
 /// But for mode `outside`, which keeps out each vertex for itself, Options::guide_weight is that of so many vertices

@@ -53,7 +53,7 @@ Offset offset_of(const Surface& surface, const SurfaceTree& tree, const Eigen::V
     const Eigen::Vector3d away = point - nearest.position;
     const double along_normal = away.dot(feature.normal);
     const Eigen::Matrix3d onto_normal = feature.normal * feature.normal.transpose();
-    Offset offset{away, onto_normal, along_normal < 0, nearest.at.face};
+    Offset offset{away, onto_normal, along_normal, nearest.at.face};
     if (feature.is_boundary)
         offset.away = along_normal * feature.normal;
     else if (feature.dimension == 1)

@@ -24,7 +24,7 @@ Height height_at(const Surface& surface, const SurfaceTree::Nearest& nearest, co
 struct Offset {
     Eigen::Vector3d away;    ///< from the nearest point; beyond the boundary its part along the normal
     Eigen::Matrix3d change;  ///< the derivative of `away`: a projection, onto the normal above a triangle
-    bool is_below;           ///< on the side to which the normals do not point
+    double along_normal;     ///< above the surface, on the side of its normals; negative below it
     int face;
 };
 Offset offset_of(const Surface& surface, const SurfaceTree& tree, const Eigen::Vector3d& point, int guess);

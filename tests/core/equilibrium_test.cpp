@@ -199,6 +199,47 @@ TEST_CASE(
     CHECK(rms_distance(edit, with.positions(), without.positions()) < 1e-3);
 }
 
+TEST_CASE("Equilibrium: outside of a closed guide is outside, whichever way it winds, and of an open one above it") {
+    const Edit edit = moved_crown();
+    const Positions& rest = edit.net.rest_positions();
+    const auto turned = [](const Mesh& mesh) {
+        Mesh other{mesh.positions, {}};
+        for (int f = 0; f < mesh.faces.size(); ++f) {
+            std::vector<int> face(mesh.faces[f].begin(), mesh.faces[f].end());
+            std::reverse(face.begin(), face.end());
+            other.faces.add(face);
+        }
+        return other;
+    };
+    Mesh ball = samples::sphere(8);
+    const double size = (rest.rowwise().maxCoeff() - rest.rowwise().minCoeff()).norm() / 2;
+    ball.positions *= size;
+    ball.positions.colwise() += rest.rowwise().mean() - Eigen::Vector3d(0, 0, size);
+    const auto dragged = [&](const Mesh& mesh) {
+        Editor editor = at_rest(edit);
+        editor.set_guide(std::make_shared<const Guide>(Surface(mesh)));
+        editor.set_option("guide_mode", std::to_string(static_cast<int>(GuideMode::outside)));
+        drag(editor, edit, 1);
+        return editor;
+    };
+    const Guide outwards{Surface(ball)};
+    const Editor right = dragged(ball), wrong = dragged(turned(ball));
+    const auto part_inside = [&](const Editor& editor) {
+        return (heights_over(outwards, editor.positions()).array() < -0.1 * edit.net.mean_length())
+            .cast<double>()
+            .mean();
+    };
+    CHECK(part_inside(right) < 0.2);
+    CHECK(rms_distance(edit, wrong.positions(), right.positions()) < 1e-6);
+
+    Mesh half = samples::sphere(8, true);
+    half.positions *= size;
+    const Positions above = (2 * size) * Eigen::Vector3d::UnitZ();
+    CHECK(heights_over(Guide(Surface(half)), above)[0] > 0);
+    CHECK(heights_over(Guide(Surface(turned(half))), above)[0] < 0);
+    CHECK(heights_over(Guide(Surface(turned(ball))), rest).isApprox(heights_over(outwards, rest), 1e-9));
+}
+
 TEST_CASE("Equilibrium: a fine net leaves its guide with a handle rather than crumple on it") {
     const int n = 40, middle = n / 2 * n + n / 2;
     const Net net = samples::patch(n, n);

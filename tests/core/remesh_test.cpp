@@ -76,6 +76,20 @@ Mesh beside(Mesh mesh, const Mesh& other, const Eigen::Vector3d& move) {
     return mesh;
 }
 
+/// Each face with vertices of its own, drawn together by a part of its size.
+Mesh in_scraps(const Mesh& mesh, double gap) {
+    Mesh scraps{Positions(3, 3 * mesh.faces.size()), {}};
+    for (int f = 0; f < mesh.faces.size(); ++f) {
+        const std::span<const int> face = mesh.faces[f];
+        Eigen::Matrix3d corners;
+        for (int k = 0; k < 3; ++k) corners.col(k) = mesh.positions.col(face[k]);
+        const Eigen::Vector3d middle = corners.rowwise().mean();
+        scraps.positions.middleCols(3 * f, 3) = (1 - gap) * corners + gap * middle.replicate(1, 3);
+        scraps.faces.add({3 * f, 3 * f + 1, 3 * f + 2});
+    }
+    return scraps;
+}
+
 /// A net over the whole of it, with all that is promised.
 Remesh remeshed(const Surface& surface, const RemeshOptions& options, int characteristic) {
     const auto guide = std::make_shared<const Guide>(surface);
@@ -456,6 +470,29 @@ TEST_CASE("No tail of one or two cells hangs at the border, a narrow part of a s
 TEST_CASE("All pieces of a surface are covered") {
     const Surface spheres(beside(samples::sphere(8), samples::sphere(8), {3, 0, 0}));
     CHECK(Topology(remeshed(spheres, of_cells(600), 4).net).component_count() == 2);
+}
+
+TEST_CASE("A surface in scraps is refused with how many there are and the way out") {
+    const Mesh sphere = samples::sphere(10);  // 800 triangles
+    const auto refusal = [](const Mesh& mesh, int cells) -> std::string {
+        try {
+            check_remesh(Guide(Surface(mesh)), of_cells(cells));
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::too_large);
+            return error.what();
+        }
+        return "";
+    };
+    CHECK(refusal(in_scraps(sphere, 0), 4000) ==
+          "the surface is in 800 pieces, 800 of which are small and touch others without being joined to them: "
+          "repaired (--repair), vertices that coincide are merged");
+    CHECK(refusal(in_scraps(sphere, 0.1), 1000) ==
+          "the surface is in 800 pieces, 800 of which are smaller than four cells: smaller cells, or a surface without "
+          "these, may do");
+    CHECK(refusal(in_scraps(sphere, 0.1), 4000) == "");
+    CHECK(refusal(in_scraps(sphere, 0), 40000) == "");
+    const Mesh specks = in_scraps(sphere, 0.1);
+    CHECK(refusal(beside(samples::sphere(10), {0.1 * specks.positions, specks.faces}, {3, 0, 0}), 4000) == "");
 }
 
 TEST_CASE("The length and the limit of corners are kept where they are given") {

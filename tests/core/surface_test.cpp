@@ -9,6 +9,7 @@
 #include "drape/surface_report.h"
 #include "mesh_files.h"
 #include "sample_surfaces.h"
+#include "surface/inside_out.h"
 
 using namespace chebnet;
 using Catch::Matchers::Contains;
@@ -197,4 +198,45 @@ TEST_CASE("A hole stays a hole") {
     const RepairedSurface repaired = repaired_surface(mesh, k_all_defects);
     CHECK(repaired.findings.empty());
     CHECK(repaired.surface.boundary_loops().size() == 1);
+}
+
+TEST_CASE("Closed pieces that wind with their normals inwards are found, each with what lies within it") {
+    const auto ball = [](double radius, double x, bool turned) {
+        Mesh mesh = samples::sphere(4);
+        mesh.positions *= radius;
+        mesh.positions.row(0).array() += x;
+        Faces faces;
+        for (int f = 0; f < mesh.faces.size(); ++f) {
+            const std::span<const int> face = mesh.faces[f];
+            turned ? faces.add({face[2], face[1], face[0]}) : faces.add(face);
+        }
+        return Mesh{mesh.positions, faces};
+    };
+    // Of each piece whether it is found.
+    const auto found = [](const std::vector<Mesh>& pieces) {
+        Mesh all{Positions(3, 0), {}};
+        std::vector<int> last;  // triangles
+        for (const Mesh& piece : pieces) {
+            const auto count = static_cast<int>(all.positions.cols());
+            all.positions.conservativeResize(3, count + piece.positions.cols());
+            all.positions.rightCols(piece.positions.cols()) = piece.positions;
+            for (int f = 0; f < piece.faces.size(); ++f)
+                all.faces.add({piece.faces[f][0] + count, piece.faces[f][1] + count, piece.faces[f][2] + count});
+            last.push_back(all.faces.size() - 1);
+        }
+        const std::vector<bool> faces = faces_inside_out(Surface(all));
+        std::vector<bool> result;
+        for (const int f : last) result.push_back(!faces.empty() && faces[f]);
+        return result;
+    };
+    CHECK(faces_inside_out(Surface(samples::sphere(4))).empty());
+    CHECK(found({ball(1, 0, true)}) == std::vector{true});
+    CHECK(found({ball(1, 0, false), ball(1, 3, true)}) == std::vector{false, true});
+    CHECK(found({ball(0.5, 0, true), ball(1, 0, false)}) == std::vector{false, false});
+    CHECK(found({ball(1, 0, true), ball(0.5, 0, false)}) == std::vector{true, true});
+    CHECK(found({ball(1, 0, true), ball(0.5, 0, true)}) == std::vector{true, true});
+    Mesh open = ball(1, 0, true);
+    open.faces = {};
+    for (int f = 1; f < ball(1, 0, true).faces.size(); ++f) open.faces.add(ball(1, 0, true).faces[f]);
+    CHECK(found({open}) == std::vector{false});
 }

@@ -18,7 +18,8 @@ double ClosenessTerm::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) {
         const Offset offset = offset_of(m_guide.surface(), m_guide.tree(), m_unit * x.col(v), m_faces[v]);
         m_faces[v] = offset.face;
         m_changes[v].setZero();
-        if (m_side == Side::below && !offset.is_below) continue;
+        const double height = m_guide.is_inside_out(offset.face) ? -offset.along_normal : offset.along_normal;
+        if (m_side == Side::below && !(height < 0)) continue;
         m_changes[v] = offset.change;
         const Eigen::Vector3d away = offset.away / m_unit;
         energy += m_scale * away.squaredNorm();

@@ -16,7 +16,8 @@ namespace chebnet {
 /// projection: onto the normal above a triangle, across it above an edge, and all of space above a vertex.
 class ClosenessTerm : public Term {
 public:
-    /// Which vertices count: all, or those below the surface, to where its normals do not point (contact).
+    /// Which vertices count: all, or those below the surface (contact): inside of a closed piece, or where the
+    /// normals of an open one do not point.
     enum class Side { both, below };
 
     /// `unit`: of the net, in the guide's. Keeps a reference to the guide.
