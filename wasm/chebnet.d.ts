@@ -769,8 +769,10 @@ export interface DrapeReport {
   /** Parts of the whole cells with a corner more than 15° and more than 30° from a right angle. */
   sheared: number;
   muchSheared: number;
-  /** Edges at which the net folds by more than 60°: it is crumpled there. */
+  /** Edges at which the net folds by more than 60°. */
   folds: number;
+  /** Those of them at which it folds by so much more than the surface does: it is crumpled there. */
+  crumpled: number;
   /** Net lines from end to end, but for those along a border that cuts, and the length of all together. */
   rods: number;
   rodLength: number;

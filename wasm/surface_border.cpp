@@ -14,6 +14,7 @@
 #include "drape/drape_pieces.h"
 #include "drape/proposals.h"
 #include "drape/surface_report.h"
+#include "drape/tilt.h"
 #include "mesh_border.h"
 #include "net/topology.h"
 #include "open_surface.h"
@@ -306,8 +307,8 @@ val propose_cuts_on(const OpenSurface& open, val options, int most) {
 val measure(const OpenSurface& open, val net, double length) {
     Mesh mesh = mesh_in(net);
     const auto known = length > 0 ? std::optional(length) : std::nullopt;
-    const DrapeReport report =
-        measure_drape(open.surface, open.tree, Net(std::move(mesh.positions), std::move(mesh.faces)), known);
+    const Net laid(std::move(mesh.positions), std::move(mesh.faces));
+    const DrapeReport report = measure_drape(open.surface, open.tree, laid, known);
     val object = val::object();
     object.set("length", report.length);
     object.set("coverage", report.coverage);
@@ -321,6 +322,7 @@ val measure(const OpenSurface& open, val net, double length) {
     object.set("sheared", report.sheared);
     object.set("muchSheared", report.much_sheared);
     object.set("folds", report.folds);
+    object.set("crumpled", report.folds > 0 ? crumpled_edges(*open.guide, laid) : 0);
     object.set("rods", report.rods);
     object.set("rodLength", report.rod_length);
     object.set("maxDeviation", report.max_deviation);

@@ -26,9 +26,9 @@ struct GridMap {
     std::vector<GridPoint> shifts;   ///< … and then moved by so much, whole cells
 };
 
-/// The map that follows the field best with cells of the given length, or one that is larger or smaller by a part of it
-/// up to `slack`, if whole numbers fit better then: least squares in the gradients, with whole
-/// numbers of cells between singular vertices, and around. No point of a triangle's corner has a coordinate in the
+/// The map that follows the field best with cells of the given length, or of one that differs by a part of it up to
+/// `slack`, if whole numbers fit better then: least squares in the gradients, with whole numbers of cells between
+/// singular vertices, and around. No point of a triangle's corner has a coordinate in the
 /// middle of a cell. What is to be on lines of the grid, of each side of the surface whether it is, creases or the
 /// border, is on them where the field goes along it.
 ///

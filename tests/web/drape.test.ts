@@ -188,7 +188,7 @@ describe('the worker', () => {
   test('counts as folds of the net itself none where it follows an edge of the surface, and all where that has none', () => {
     const measured = (source: SurfaceSource, mesh: Mesh) => {
       const [, response] = answers({ type: 'open', source }, { type: 'measure', mesh });
-      return response?.type === 'measured' ? { folds: response.report.folds, own: response.ownFolds } : expect.fail();
+      return response?.type === 'measured' ? [response.report.folds, response.report.crumpled] : expect.fail();
     };
     // A gutter of three walls as a surface of six triangles, and as a net of squares.
     const gutter = (across: number[][], along: number): Mesh => {
@@ -222,7 +222,7 @@ describe('the worker', () => {
       ],
       4,
     );
-    expect(measured({ mesh: gutter(walls, 1) }, net)).toEqual({ folds: 8, own: 0 });
+    expect(measured({ mesh: gutter(walls, 1) }, net)).toEqual([8, 0]);
     expect(
       measured(
         {
@@ -236,7 +236,7 @@ describe('the worker', () => {
         },
         net,
       ),
-    ).toEqual({ folds: 8, own: 8 });
+    ).toEqual([8, 8]);
     const pleated = gutter(
       [
         [0, 2],
@@ -250,7 +250,7 @@ describe('the worker', () => {
       ],
       4,
     );
-    expect(measured({ mesh: gutter(walls, 1) }, pleated)).toEqual({ folds: 16, own: 8 });
+    expect(measured({ mesh: gutter(walls, 1) }, pleated)).toEqual([16, 8]);
   });
 
   test('tries how few singular vertices it takes, and says so, if that is asked for', () => {

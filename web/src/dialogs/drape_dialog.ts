@@ -204,8 +204,8 @@ export class DrapeDialog implements DraperLike {
       cutsProposed: (cuts, coverage) => this.#cuts.setProposed(cuts, coverage),
       draped: (net) => this.#onDraped(net),
       missed: () => this.#onMissed(),
-      measured: (report, ownFolds, milliseconds) => {
-        this.#results.setReport(report, ownFolds, milliseconds);
+      measured: (report, milliseconds) => {
+        this.#results.setReport(report, milliseconds);
         if (this.#form.isWhole) this.#form.showMadeLength(report.length);
       },
       progressed: (phase, done) => this.#maker.setProgress(phase, done),

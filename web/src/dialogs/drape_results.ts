@@ -29,9 +29,9 @@ function singularWords({ singularVertices }: RemeshedNet): string {
 }
 
 /** Where the surface has edges, a net that follows them is not crumpled. */
-function foldWords(folds: number, own: number): string {
+function foldWords({ folds, crumpled }: DrapeReport): string {
   if (folds === 0) return TEXT.none;
-  return own === folds ? count(folds) : TEXT.foldsOf(count(folds), own > 0 ? count(own) : TEXT.none);
+  return crumpled === folds ? count(folds) : TEXT.foldsOf(count(folds), crumpled > 0 ? count(crumpled) : TEXT.none);
 }
 
 /** The total first, then those that took time enough to be read. */
@@ -97,15 +97,15 @@ export class DrapeResults {
 
   /** Of one piece, beside a net: where it covers less than was promised, what to do about it. Of the whole surface
    *  where it is crumpled or leaves some bare. */
-  #reviseProspect(net: DrapedNet | RemeshedNet, report: DrapeReport, ownFolds: number): void {
-    if ('singularVertices' in net) return this.#sayProspect(this.#warningOf(net, report, ownFolds));
+  #reviseProspect(net: DrapedNet | RemeshedNet, report: DrapeReport): void {
+    if ('singularVertices' in net) return this.#sayProspect(this.#warningOf(net, report));
     const { prospect = '', components = 0 } = this.#surface ?? {};
     const promised = components === 1 && ['one_piece', 'tight'].includes(prospect);
     this.#sayProspect(promised && report.coverage < COVERS ? TEXT.coversLess : '');
   }
 
-  #warningOf({ net, sharpQuads }: RemeshedNet, { coverage }: DrapeReport, ownFolds: number): string {
-    if (ownFolds > FOLDED * 2 * net.info.faces) return TEXT.crumpled(count(ownFolds), this.#againstFolds);
+  #warningOf({ net, sharpQuads }: RemeshedNet, { coverage, crumpled }: DrapeReport): string {
+    if (crumpled > FOLDED * 2 * net.info.faces) return TEXT.crumpled(count(crumpled), this.#againstFolds);
     if (coverage < COVERS) return TEXT.leavesBare(percentWords(1 - coverage));
     return sharpQuads > 0 ? TEXT.sharp(count(sharpQuads)) : '';
   }
@@ -168,12 +168,12 @@ export class DrapeResults {
     this.#expectNone();
   }
 
-  /** @param ownFolds of its folds, those that the surface has not. @param measuring time that took, milliseconds. */
-  setReport(report: DrapeReport, ownFolds: number, measuring: number): void {
+  /** @param measuring time that took, milliseconds. */
+  setReport(report: DrapeReport, measuring: number): void {
     if (this.#net === null) return;
     this.#measured = this.#net;
     this.#showStanding();
-    this.#reviseProspect(this.#net, report, ownFolds);
+    this.#reviseProspect(this.#net, report);
     const { net } = this.#net;
     const { faces, vertices } = net.info;
     const cutEnds = 'cutEnds' in this.#net ? this.#net.cutEnds : 0;
@@ -191,7 +191,7 @@ export class DrapeResults {
       [TEXT.openBorder, report.openBorder > 0 ? TEXT.lengths(inLengths(report.openBorder)) : TEXT.none],
       [TEXT.sheared, ofCells(percentWords(report.sheared))],
       [TEXT.muchSheared, ofCells(percentWords(report.muchSheared))],
-      [TEXT.folds, foldWords(report.folds, ownFolds)],
+      [TEXT.folds, foldWords(report)],
       'singularVertices' in this.#net
         ? [TEXT.singular, singularWords(this.#net)]
         : [TEXT.refused, refusedWords(this.#net)],

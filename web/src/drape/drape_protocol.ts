@@ -137,8 +137,7 @@ export type DrapeResponse =
   | ({ type: 'remeshed' } & RemeshedNet)
   /** The ray does not meet the surface. */
   | { type: 'missed' }
-  /** `ownFolds`: of `report.folds`, those where the surface does not fold itself. */
-  | { type: 'measured'; report: DrapeReport; ownFolds: number; milliseconds: number }
+  | { type: 'measured'; report: DrapeReport; milliseconds: number }
   /** `code` as in core/base/error.h. What was open stays so. */
   | { type: 'error'; code: string; message: string };
 

@@ -27,7 +27,6 @@ import type {
   SurfaceSource,
 } from './drape_protocol';
 import { SUGGESTED_CELLS } from './cells';
-import { ownFolds } from './own_folds';
 import { combined, laidInto } from './seed';
 
 const MOST_PROPOSALS = 4;
@@ -170,13 +169,7 @@ export class Draper {
     if (mesh === null) throw new Error('no net has been laid');
     const start = performance.now();
     const report = surface.measure(mesh, other ? undefined : this.#length);
-    const own = report.folds > 0 ? this.#ownFolds(surface, mesh) : 0;
-    return { type: 'measured', report, ownFolds: own, milliseconds: performance.now() - start };
-  }
-
-  #ownFolds(surface: Surface, mesh: Mesh): number {
-    const edges = withEditor(this.#core, mesh, ({ edges, restLengths }) => ({ edges, restLengths }));
-    return ownFolds({ ...mesh, ...edges }, mesh.positions, (point) => surface.nearest(point));
+    return { type: 'measured', report, milliseconds: performance.now() - start };
   }
 
   #shown(mesh: Mesh, times: PhaseTimes, length?: number): ShownNet {

@@ -54,9 +54,8 @@ export interface DrapingEvents {
   /** @param done of the phase, 0 … 1. */
   progressed(phase: RemeshPhase, done: number): void;
   remeshed(net: RemeshedNet): void;
-  /** Of the last net. @param ownFolds of its folds, those that the surface has not.
-   *  @param milliseconds that it took to measure it. */
-  measured(report: DrapeReport, ownFolds: number, milliseconds: number): void;
+  /** Of the last net. @param milliseconds that it took to measure it. */
+  measured(report: DrapeReport, milliseconds: number): void;
   /** With the core's sentence; the net of before stays.
    *  @param request that is refused; null: the worker is lost, and with it whatever was asked for. */
   refused(error: Failure, request: DrapeRequest['type'] | null): void;
@@ -222,7 +221,7 @@ export class Draping {
     progress: ({ phase, done }) => this.#events.progressed(phase, done),
     missed: () => this.#events.missed(),
     remeshed: (net) => this.#events.remeshed(net),
-    measured: ({ report, ownFolds, milliseconds }) => this.#events.measured(report, ownFolds, milliseconds),
+    measured: ({ report, milliseconds }) => this.#events.measured(report, milliseconds),
     error: ({ code, message }, request) =>
       this.#events.refused(new Failure(code, words.core.failure(code, message)), request),
   };
