@@ -194,6 +194,17 @@ TEST_CASE("Somebody else moving the net does not make the projection method jump
     CHECK(editor.positions() == shaped);
 }
 
+TEST_CASE("A locality about a net that has its lengths gives the projection method nothing to do") {
+    Editor editor = dragged_patch("projection");
+    editor.move_handle(179, editor.net().rest_positions().col(179) + k_far_pull);
+    REQUIRE(editor.solve().status == Status::converged);
+    const Positions shaped = editor.positions();
+    editor.set_locality(5, std::vector{179});
+    REQUIRE(!editor.region()->pulls.empty());
+    CHECK(editor.solve().iterations == 0);
+    CHECK(editor.positions() == shaped);
+}
+
 /// The stages that a solve goes through, one after the other.
 std::vector<int> stages(const SolveReport& report) {
     std::vector<int> passed;

@@ -59,11 +59,13 @@ inline bool is_solved(const Editor& editor, const Positions& positions) {
            reckoned_deviation(editor.net(), positions) < editor.options().threshold;
 }
 
-/// Whether soft handles may draw a net out of its lengths for a while: `projection` gives way to them and comes back.
-/// `equilibrium` goes from net to net.
-inline bool may_leave_lengths(const Editor& editor) {
-    const auto draws = [](const Handle& handle) { return !handle.is_exact(); };
-    return editor.method() != "equilibrium" && std::ranges::any_of(editor.handles(), draws);
+/// Whether what pulls, soft handles or a locality that would have the net elsewhere, may draw it out of its lengths for
+/// a while: `projection` gives way to them and comes back. `equilibrium` goes from net to net.
+inline bool may_leave_lengths(const Editor& editor, const Positions& before) {
+    if (editor.method() == "equilibrium") return false;
+    const auto is_elsewhere = [&](const Pull& pull) { return pull.target != before.col(pull.vertex); };
+    if (editor.region() && std::ranges::any_of(editor.region()->pulls, is_elsewhere)) return true;
+    return std::ranges::any_of(editor.handles(), [](const Handle& handle) { return !handle.is_exact(); });
 }
 
 /// Of what one call of solve() did with `budget` from the positions `before`, beyond the invariants of the state.
@@ -85,7 +87,7 @@ inline Violations of_solve(const Editor& editor, const SolveReport& report, cons
     const double threshold = editor.options().threshold;
     require(!keeps_lengths(report.status) || at_most(reckoned, threshold),
             "a solve that says that every edge has its length leaves one without");
-    require(at_most(reckoned, threshold) || !is_solved(editor, before) || may_leave_lengths(editor),
+    require(at_most(reckoned, threshold) || !is_solved(editor, before) || may_leave_lengths(editor, before),
             "edges have lost their lengths though no handle was moved");
     require((at_most(reckoned, report.max_deviation) && at_most(report.max_deviation, reckoned)) ||
                 (is_lost(reckoned) && is_lost(report.max_deviation)),

@@ -39,6 +39,9 @@ constexpr double k_least_pull = 1e-4;
 // Stage 3: this many projections must halve the smallest max dL so far.
 constexpr int k_patience = 2;
 
+// Of coordinates that come and go between units.
+constexpr double k_rounding = 1e-14;
+
 constexpr double k_unknown = std::numeric_limits<double>::infinity();
 
 constexpr Heeds k_projection_heeds{.pulls = true, .slides = true};
@@ -57,6 +60,7 @@ private:
     void take_pulls(std::span<const Pull> pulls);
     int rigid_iterations(const Positions& positions) const;
     double largest_pull() const;
+    bool is_drawn(const Positions& positions) const;
     void take_over_shape(const Positions& positions);
     double strongest_pull() const;
     bool can_yield() const { return strongest_pull() > k_least_pull; }
@@ -142,9 +146,9 @@ Status Projection::start(const Problem& problem, Positions& positions, const Opt
     open_degenerate_edges(*m_net, *m_topology, m_is_loose, positions);
     m_max_deviation = max_deviation(*m_net, positions);
     take_over_shape(positions);
-    if (m_pulled == k_unknown) m_pulled = largest_pull();
     m_result = positions;
-    if (m_max_deviation < options.threshold && m_pulled == 0) return Status::converged;
+    if (m_max_deviation < options.threshold && (m_pulled == 0 || !is_drawn(positions))) return Status::converged;
+    if (m_pulled == k_unknown) m_pulled = largest_pull();
     if (m_part->part().size() == 0) return ended(m_reachable);
     m_round = 0;
     m_near = k_projection_deviation;
@@ -174,6 +178,12 @@ double Projection::largest_pull() const {
     for (const Pull& pull : m_pulls)
         largest = std::max(largest, (pull.target - m_shape_before.col(pull.vertex)).norm());
     return largest;
+}
+
+/// Whether a pull would have the net elsewhere, wherever the copy is.
+bool Projection::is_drawn(const Positions& positions) const {
+    return std::ranges::any_of(
+        m_pulls, [&](const Pull& pull) { return !pull.target.isApprox(positions.col(pull.vertex), k_rounding); });
 }
 
 int Projection::rigid_iterations(const Positions& positions) const {
