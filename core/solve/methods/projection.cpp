@@ -182,8 +182,8 @@ double Projection::largest_pull() const {
 
 /// Whether a pull would have the net elsewhere, wherever the copy is.
 bool Projection::is_drawn(const Positions& positions) const {
-    return std::ranges::any_of(
-        m_pulls, [&](const Pull& pull) { return !pull.target.isApprox(positions.col(pull.vertex), k_rounding); });
+    return std::any_of(m_pulls.begin(), m_pulls.end(),
+                       [&](const Pull& pull) { return !pull.target.isApprox(positions.col(pull.vertex), k_rounding); });
 }
 
 int Projection::rigid_iterations(const Positions& positions) const {
