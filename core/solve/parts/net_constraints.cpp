@@ -14,6 +14,8 @@ namespace {
 // Nets are projected until no length errs by more than this part, dL < 1e-10, or by less if the threshold asks for it.
 constexpr double k_exact_error = 1e-5;
 constexpr int k_most_projections = 15, k_patience = 4;  // in all, and without coming closer
+// The same where lengths are come to however slowly.
+constexpr int k_most_patient_projections = 60, k_long_patience = 20;
 // How often corners may join those that are held in one projection.
 constexpr int k_most_openings = 6;
 
@@ -67,13 +69,15 @@ bool NetConstraints::project(Positions& positions, double threshold) {
 bool NetConstraints::project_lengths(Positions& positions, double threshold) {
     const double exact_error = std::min(k_exact_error, std::sqrt(threshold) / 2);
     double best = std::numeric_limits<double>::infinity();
+    const int most = m_is_patient ? k_most_patient_projections : k_most_projections;
     m_lengths->system().assemble(positions);
-    for (int k = 0, patience = k_patience; k < k_most_projections && patience > 0; ++k, --patience) {
+    const int most_idle = m_is_patient ? k_long_patience : k_patience;
+    for (int k = 0, patience = most_idle; k < most && patience > 0; ++k, --patience) {
         if (!m_lengths->project_assembled(positions)) return false;
         m_lengths->system().assemble(positions);
         const double error = m_lengths->system().errors().lpNorm<Eigen::Infinity>();
         if (error < exact_error) break;
-        if (error < best / 2) patience = k_patience;
+        if (error < best / 2) patience = most_idle;
         best = std::min(best, error);
     }
     return max_deviation(m_net, positions) < threshold;

@@ -30,6 +30,9 @@ public:
     /// Onto the lengths, and out of corners that are too sharp, which are held from now on. The system is left
     /// assembled for where that ends. `threshold`: of max dL. False if the lengths are not reached.
     bool project(Positions& positions, double threshold);
+    /// Whether project() is to come as near to the lengths as it can where it comes nearer slowly, beside lines that
+    /// are nearly straight.
+    void set_patient(bool on) { m_is_patient = on; }
     /// The system for the edges and corners.
     LengthProjection& lengths() { return *m_lengths; }
     const LengthSystem& system() const { return m_lengths->system(); }
@@ -65,6 +68,7 @@ private:
     std::vector<bool> m_is_free;
     std::vector<Slide> m_slides;
     std::vector<Pull> m_pulls;
+    bool m_is_patient = false;
     std::unique_ptr<LengthProjection> m_lengths;  // has rows for the corners watched
 };
 

@@ -46,7 +46,7 @@ constexpr double k_rising = 1e-6;
 constexpr double k_telling = 0.1;
 // The most dL of a net that a solve ends with short of rest.
 constexpr double k_end_deviation = 1e-12;
-constexpr int k_most_refinements = 20;
+constexpr int k_most_refinements = 20, k_most_beginnings = 4;
 // Of the bow that a flat net gets which is at rest in its plane alone, in edge lengths.
 constexpr double k_first_bow = 1;
 constexpr int k_most_bows = 6, k_most_loads = 20;  // that are tried
@@ -151,8 +151,10 @@ bool RestDescent::project(Positions& positions, double threshold) {
 void RestDescent::begin_solve(bool is_as_left) {
     m_pulls_are_known = is_as_left;
     m_steps = 0;
-    m_has_given_way = m_has_whole_tension = false;
+    m_has_given_way = false;
+    m_beginnings = 0;
     if (m_newton) m_newton->set_shift(LengthSystem::k_shift);
+    if (m_constraints) m_constraints->set_patient(false);
 }
 
 void RestDescent::enter(const Positions& positions) {
@@ -172,17 +174,19 @@ Status RestDescent::relax(Positions& positions, TraceRow& row) {
     if (m_steps == 0) give_way(positions);
     const Status status = step_to_rest(positions, row);
     if (status != Status::running && give_way(positions)) return Status::running;
-    if (status == Status::exact && takes_tension_whole(positions)) return Status::running;
-    if (status == Status::exact) refine_lengths(positions);
-    return status;
+    return status == Status::exact && goes_on_beside_taut_lines(positions) ? Status::running : status;
 }
 
-/// Where a net would end short of rest: from now on lines that are nearly straight have all of their tension. False if
-/// they had it before.
-bool RestDescent::takes_tension_whole(const Positions& positions) {
-    if (m_has_whole_tension) return false;
-    m_has_whole_tension = true;
+/// Where a net would end short of rest: from now on lines that are nearly straight have all of their tension, and
+/// lengths are come to however slowly, since what hard pulled edges lack hides what a step gains. It begins anew from
+/// the exact lengths, as often as steps have left them. False if that leads no farther.
+bool RestDescent::goes_on_beside_taut_lines(Positions& positions) {
+    const bool is_new = m_beginnings == 0, has_left_lengths = m_max_deviation >= k_end_deviation;
     m_newton->set_shift(LengthSystem::k_least_shift);
+    m_constraints->set_patient(true);
+    refine_lengths(positions);
+    if (!is_new && (!has_left_lengths || m_beginnings == k_most_beginnings)) return false;
+    ++m_beginnings;
     m_radius = k_most_move * m_net->mean_length();
     m_is_careful = false;
     m_idle_steps = 0;

@@ -97,7 +97,7 @@ private:
     Status step_to_rest(Positions& positions, TraceRow& row);
     bool is_idle(double energy_before, double force_before);
     bool give_way(Positions& positions);
-    bool takes_tension_whole(const Positions& positions);
+    bool goes_on_beside_taut_lines(Positions& positions);
     bool find_bow(const Eigen::Vector3d& normal, Eigen::Matrix3Xd& bow);
     void give_way_to(const Eigen::Vector3d& load, Eigen::Matrix3Xd& moves) const;
     bool rises_along(const Positions& positions, const Eigen::Matrix3Xd& move);
@@ -134,13 +134,14 @@ private:
     // Whether it tells where the net has pulls; a new one begins with the next step, if any is far; it is under way.
     bool m_pulls_are_known = false, m_pulls_wait = false, m_pulls_walk = false;
 
-    int m_steps = 0;      // Newton steps of this solve, or since handles have moved
-    double m_radius = 0;  // no vertex moves farther in the next step
-    bool m_has_given_way = false, m_has_whole_tension = false;  // in this solve
-    bool m_is_linearised = false;                               // where it is, as m_newton is
-    bool m_is_still = false;                                    // the last step was a whole one, and short
-    bool m_is_careful = false;  // corners are let go one by one: together they led nowhere
-    int m_idle_steps = 0;       // one after the other
+    int m_steps = 0;               // Newton steps of this solve, or since handles have moved
+    double m_radius = 0;           // no vertex moves farther in the next step
+    bool m_has_given_way = false;  // in this solve
+    int m_beginnings = 0;          // likewise, beside taut lines
+    bool m_is_linearised = false;  // where it is, as m_newton is
+    bool m_is_still = false;       // the last step was a whole one, and short
+    bool m_is_careful = false;     // corners are let go one by one: together they led nowhere
+    int m_idle_steps = 0;          // one after the other
     double m_gradient_before = 0,
            m_moved = 0;  // of the last step: the norm before, and how far it went in edge lengths
     PathExtrapolation m_path;
