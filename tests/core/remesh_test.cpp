@@ -503,6 +503,16 @@ TEST_CASE("The length and the limit of corners are kept where they are given") {
     CHECK(net.mean_length() == Approx(0.2).epsilon(1e-9));
 }
 
+TEST_CASE("Edges have one length to the last digits, also where a net has not come to rest") {
+    RemeshOptions options = of_cells(900);
+    options.border = RemeshOptions::Border::always;
+    for (const char* name : {"hemisphere", "shell"}) {
+        const Net net = remeshed(make_own_surface(name), options, 1).net;
+        CAPTURE(name);
+        CHECK(max_deviation(net, net.rest_positions()) < 1e-20);
+    }
+}
+
 TEST_CASE("Where a given length does not fit around a body there are as many cells as let the net lie on it") {
     const Surface torus(samples::torus(60, 24, 3, 1));
     const Guide guide(torus);
