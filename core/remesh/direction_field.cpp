@@ -236,7 +236,7 @@ public:
                 const Complex u = unit({z[2 * v], z[2 * v + 1]});
                 z[2 * v] = u.real(), z[2 * v + 1] = u.imag();
             }
-            z = m_factor.solve(z / k_diffusion + m_target);
+            z = m_factor.solve(Eigen::VectorXd(z / k_diffusion + m_target));  // not of z while it is overwritten
         }
         std::vector<Complex> result;
         result.reserve(static_cast<std::size_t>(m_size / 2));

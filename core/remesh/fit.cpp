@@ -169,7 +169,14 @@ private:
 
     Net exact() {
         const Net net = with_length(m_length);
-        Positions x = net.rest_positions();
+        Net result(projected(net, net.rest_positions()), net.faces(), RestLengths::equal);
+        if (!(max_deviation(result, result.rest_positions()) < k_equal_deviation))
+            throw Error(ErrorCode::bad_option, "no net with edges of one length was found near the surface");
+        return result;
+    }
+
+    /// Positions with lengths and corners as they have to be, as far as that many projections lead there.
+    Positions projected(const Net& net, Positions x) const {
         CornerLimit limit(net, m_options.smallest_angle + k_limit_margin * std::numbers::pi / 180);
         limit.watch(x);
         auto lengths = projection(net, limit);
@@ -187,10 +194,7 @@ private:
             if (limit.hold_short_ones(x) == 0) break;
             limit.apply(lengths->system());
         }
-        Net result(std::move(x), net.faces(), RestLengths::equal);
-        if (!(max_deviation(result, result.rest_positions()) < k_equal_deviation))
-            throw Error(ErrorCode::bad_option, "no net with edges of one length was found near the surface");
-        return result;
+        return x;
     }
 
     /// Of all nets of this length the one that bends least near the surface, or what comes close to it.
@@ -203,8 +207,10 @@ private:
             m_go_on(k_exact_at + (1 - k_exact_at) * k / k_steps_to_rest);
             if (editor.solve({.iterations = 1}).status != Status::running) break;
         }
-        const Positions& x = editor.positions();
-        return max_deviation(net, x) < k_equal_deviation ? Net(x, net.faces(), RestLengths::equal) : net;
+        if (!(max_deviation(net, editor.positions()) < k_equal_deviation)) return net;
+        // Where it has not come to rest in so many steps lengths still err by a little.
+        Net rested(projected(net, editor.positions()), net.faces(), RestLengths::equal);
+        return max_deviation(rested, rested.rest_positions()) < k_equal_deviation ? rested : net;
     }
 
     std::unique_ptr<LengthProjection> projection(const Net& net, const CornerLimit& limit) const {

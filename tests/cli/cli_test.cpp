@@ -1171,7 +1171,7 @@ TEST_CASE("remesh follows creases that are marked, and says how near") {
 TEST_CASE("remesh ends nets in a net line at the border if it is told to, or never") {
     const Sandbox box;
     const auto coverage = [&](const std::string& border) {
-        const Run run = box.run("remesh --surface torso --cells 300 " + border);
+        const Run run = box.run("remesh --surface torso --cells 400 " + border);
         INFO(run.err);
         return run.json().at("net").at("coverage").get<double>();
     };
@@ -1228,7 +1228,7 @@ TEST_CASE("remesh tells where a net leaves much bare for other reasons, and of a
     const Case cases[] = {
         {"remesh --surface torso --cells 300 --border never", "--border fitting often covers more",
          "remesh --surface torso --cells 300 --border fitting"},
-        {"remesh spike.obj --cells 300", "finely shaped more cells", "remesh spike.obj --cells 1200"},
+        {"remesh spike.obj --cells 300", "finely shaped more cells", "remesh spike.obj --cells 1600"},
         {"remesh steep.obj --cells 300", "chebnet drape --leave", "drape steep.obj --cells 300 --leave 1"},
         {"remesh --surface pebble --cells 300 --forbid 0,0,2:2.5",
          "without wishes for singular vertices it often covers more", "remesh --surface pebble --cells 300"}};
