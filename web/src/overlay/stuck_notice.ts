@@ -32,7 +32,7 @@ const AT_LIMIT = 0.1;
 const MOST_MARKS = 500;
 
 /** Of the history, before that has been told. */
-const BEGINNING = { present: 0, forgotten: 0 };
+const BEGINNING = { names: [''], present: 0, forgotten: 0, inGesture: false };
 const NONE_BAD: BadCells = { off: new Set(), sharp: new Set() };
 
 type Unreachable = FrameData['unreachable'][number];
