@@ -74,6 +74,29 @@ test('so fine that it does not come to rest any more, and back, which is said wi
   expect(await behaviour()).toBe('shape');
 });
 
+test('says which pieces a coarser net has lost', async () => {
+  // A strip one cell wide beside a piece of four by four.
+  const grid = (x: number, wide: number, first: number): [string[], string[]] => {
+    const corner = (i: number, j: number) => first + 5 * i + j;
+    const columns = Array.from({ length: wide + 1 }, (_, i) => i);
+    const corners = columns.flatMap((i) => [0, 1, 2, 3, 4].map((j) => `v ${x + i} ${j} 0`));
+    const faces = columns
+      .slice(1)
+      .flatMap((i) =>
+        [1, 2, 3, 4].map((j) => `f ${corner(i - 1, j - 1)} ${corner(i, j - 1)} ${corner(i, j)} ${corner(i - 1, j)}`),
+      );
+    return [corners, faces];
+  };
+  const [wide, narrow] = [grid(0, 4, 1), grid(6, 1, 26)];
+  const obj = [...wide[0], ...narrow[0], ...wide[1], ...narrow[1]].join('\n');
+  await script.open({ obj });
+  await script.settled();
+  await press('Coarsen');
+  await visit.page
+    .getByText('The net has 9 vertices now. One piece was too narrow to be coarser, and is gone.')
+    .waitFor();
+});
+
 test('says which lengths are allowed, beside the field, until it holds one', async () => {
   const length = section().getByRole('spinbutton', { name: 'Edge length' });
   const note = section().getByText('Allowed: a number from');

@@ -203,6 +203,23 @@ test('a phone has room for it', async () => {
   await visit.page.screenshot({ path: join(OUTPUT, 'compare-phone.png') });
 });
 
+test.each([
+  [683, 384],
+  [700, 500],
+])('in a low window of %i by %i neither tools nor legend run over it', async (width, height) => {
+  await visit.page.setViewportSize({ width, height });
+  await edit(SHAPE);
+  await visit.page.getByRole('button', { name: 'Controls' }).click();
+  await compare();
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
+  await visit.page.screenshot({ path: join(OUTPUT, `compare-low-${width}.png`) });
+  const { y: top } = (await visit.page.locator('.comparison').boundingBox())!;
+  for (const part of ['.toolbar:not(.selection-bar)', '.legend']) {
+    const box = await visit.page.locator(part).first().boundingBox();
+    if (box) expect(box.y + box.height, part).toBeLessThanOrEqual(top);
+  }
+});
+
 test('what plots is loaded when a plot is seen; if it cannot be, that is said in its place, and the net goes on', async () => {
   ({ script } = await arrive());
   const { page } = script;

@@ -48,6 +48,26 @@ async function click(vertex: number) {
 
 const place = at(0.3, 0.3);
 
+test('a handle stays in the hand while the window gets another size', async () => {
+  await open();
+  const vertex = net.suggestedHandles.at(-1)!;
+  const { mouse } = visit.page;
+  const target = async () => (await handles()).find((each) => each.vertex === vertex)!.target;
+  const { x, y } = await script.screenPosition(vertex);
+  await mouse.move(x, y);
+  await mouse.down();
+  await mouse.move(x + 20, y - 10, { steps: 4 });
+  await script.settled();
+  const before = await target();
+  await visit.page.setViewportSize({ width: 900, height: 600 });
+  await drawn(visit.page);
+  const there = await script.screenPosition(vertex);
+  await mouse.move(there.x + 1, there.y);
+  await script.settled();
+  expect(distance(await target(), before)).toBeLessThan(meanLength);
+  await mouse.up();
+});
+
 describe('a way', () => {
   beforeEach(() => open());
 

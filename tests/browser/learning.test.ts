@@ -213,6 +213,8 @@ test.each([
   ['a phone', 390, 844],
   ['a small phone', 360, 740],
   ['a phone on its side', 844, 390],
+  ['a small phone on its side', 667, 375],
+  ['a desk at 200 %', 683, 384],
   ['a tablet', 820, 1180],
 ])('on %s no hint lies over the net', async (_, width, height) => {
   const { page, script } = await arrive('', { viewport: { width, height } }, { hints: true });

@@ -355,6 +355,31 @@ test.each([
   },
 );
 
+test('what is said of a net that is stuck makes way for a handle that is touched after it', async () => {
+  const { page, script } = await share({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await script.open({ recipe: 'dome:vertices=500,reach=55' });
+  await script.settled();
+  await drawn(page);
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const { x, y } = await script.screenPosition(vertex);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 80, y - 150, { steps: 10 });
+  await page.mouse.up();
+  await script.settled();
+  const message = page.locator('.stuck-notice .message');
+  await message.waitFor();
+  const at = await script.screenPosition(vertex);
+  await page.touchscreen.tap(at.x, at.y);
+  await page.locator('.selection-bar').waitFor();
+  await drawn(page);
+  await page.screenshot({ path: join(OUTPUT, 'stuck-touched.png') });
+  const box = (await message.boundingBox())!;
+  const radius = 12;
+  expect(at.y - radius > box.y + box.height || at.y + radius < box.y).toBe(true);
+  expect(await overlaps(page, ['.stuck-notice', '.selection-bar'])).toEqual([]);
+});
+
 test('at 400 % tools and legend stay above the line of the solver, and its buttons can be pressed', async () => {
   const { page, script } = await share({ viewport: { width: 320, height: 256 } });
   await script.settled();

@@ -21,11 +21,32 @@ function historyOf(
 test('leads past the wrong ones, and nowhere where there is no other', () => {
   const { history, places } = historyOf(['good', 'wrong', 'wrong', 'wrong'], 1);
   expect([history.present, places.lastBefore(history)]).toEqual([4, 1]);
-  places.note({ present: 1, forgotten: 0 }, false);
-  places.note({ present: 0, forgotten: 0 }, false);
+  const { names, inGesture } = history;
+  places.note({ names, inGesture, present: 1, forgotten: 0 }, false);
+  places.note({ names, inGesture, present: 0, forgotten: 0 }, false);
   expect(places.lastBefore(history)).toBeUndefined();
   places.clear();
   expect(places.lastBefore(history)).toBe(3);
+});
+
+test('what is done in place of a wrong one that was undone is not wrong before it was seen', () => {
+  const { history, places } = historyOf(['good', 'wrong'], 1);
+  const { view: _, ...state } = documentAt(new Float64Array(3));
+  history.undo(state);
+  history.record(state, ['reset']);
+  // Before the net has come to rest.
+  history.record(state, ['reset']);
+  expect([history.present, places.lastBefore(history)]).toEqual([3, 2]);
+});
+
+test('what a hand still holds does not spoil the place from where it was taken', () => {
+  const { history, places } = historyOf(['good', 'good'], 1);
+  const { view: _, ...state } = documentAt(new Float64Array(3));
+  history.beginGesture(state);
+  places.note(history, false);
+  history.endGesture(['reset']);
+  places.note(history, false);
+  expect([history.present, places.lastBefore(history)]).toEqual([3, 2]);
 });
 
 test('is the same when the history has forgotten what lies far back', () => {

@@ -204,7 +204,10 @@ describe('an entry', () => {
     expect(sentenceOf(['option', { option: 'shear_limit' }, '30'])).toBe('Corners: from 30°');
     expect(sentenceOf(['option', { option: 'guide_mode' }, '2'])).toBe('Keeps the net: on it');
     expect(sentenceOf(['option', { option: 'guide_mode' }, 'x'])).toBe('Keeps the net: x');
-    expect(sentenceOf(['optionBack', { option: 'length_scale' }])).toBe('Edges: default');
+    expect(sentenceOf(['optionBack', { option: 'length_scale' }])).toBe('Edges: as made');
+    expect(sentenceOf(['optionBack', { option: 'guide_mode' }])).toBe('Keeps the net: near it');
+    expect(sentenceOf(['optionBack', { option: 'square_corners' }])).toBe('Quads: as they were');
+    expect(sentenceOf(['optionBack', { option: 'threshold' }])).toMatch(/: default$/);
     expect(sentenceOf(['weight', '4'])).toBe('Gravity: 4 of 9');
     expect(sentenceOf(['behaviour', { behaviour: 'cloth' }])).toBe('The net is soft cloth');
     expect(sentenceOf(['remove', { handles: '3' }])).toBe('Remove 3 handles');

@@ -130,12 +130,14 @@ export class Openers {
     }
     await this.#app.openScene(scene, name);
     const lostHandles = opening.document.handles.length - scene.handles.length;
-    const { vertices, pieces, sharp, lost, tooManyToRest, restsAgain } = dialogWords.change;
+    const lostPieces = wanted.way === 'coarsen' ? opening.net.info.components - changed.pieces : 0;
+    const { vertices, pieces, goneIfCoarser, sharp, lost, tooManyToRest, restsAgain } = dialogWords.change;
     const aboutMethod = scene.method === METHOD_AT_REST ? restsAgain : tooManyToRest;
     this.#app.say(
       words.core.sentences([
         vertices(count(changed.origins.length)),
         changed.pieces > 1 ? pieces(changed.pieces) : '',
+        lostPieces > 0 ? goneIfCoarser(lostPieces) : '',
         changed.sharp ? sharp : '',
         lostHandles > 0 ? lost(lostHandles) : '',
         scene.method === opening.document.method ? '' : aboutMethod(count(MOST_VERTICES_AT_REST)),

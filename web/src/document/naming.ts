@@ -10,18 +10,24 @@ type Sentence = Exclude<keyof typeof panelWords.changes, 'one' | 'several'>;
 /** A text as it stands, or one of these kinds of things. */
 export type Term = string | { readonly [Kind in keyof typeof KINDS]?: string };
 
-/** Settings that a panel has in words of its own: how it calls them, and their values. */
-const SETTINGS = new Map<string, { label: string; textOf(value: string): string | undefined }>([
-  ['length_scale', { label: words.behaviour.length, textOf: (scale) => lengthText(Number(scale)) }],
+/** Settings that a panel has in words of its own: how it calls them, and their values, among them the usual one, where that is
+ *  the same for all methods. */
+const SETTINGS = new Map<string, { label: string; usual?: string; textOf(value: string): string | undefined }>([
+  ['length_scale', { label: words.behaviour.length, usual: '1', textOf: (scale) => lengthText(Number(scale)) }],
   ['shear_limit', { label: words.behaviour.limit, textOf: (degrees) => limitText(Number(degrees)) }],
   [
     'guide_mode',
-    { label: panelWords.guide.mode, textOf: (mode): string | undefined => panelWords.guide.modes[Number(mode)] },
+    {
+      label: panelWords.guide.mode,
+      usual: '1',
+      textOf: (mode): string | undefined => panelWords.guide.modes[Number(mode)],
+    },
   ],
   [
     'square_corners',
     {
       label: panelWords.material.quads,
+      usual: 'false',
       textOf: (isOn) => panelWords.material.choices[isOn === 'true' ? 'square' : 'atRest'],
     },
   ],
@@ -46,16 +52,17 @@ const LONGEST = 500;
 export function sentenceOf(name: ChangeName): string {
   if (typeof name === 'string') return name;
   const [key, ...terms] = name;
+  const usual = key === 'optionBack' ? settingOf(terms[0]!)?.usual : undefined;
+  if (usual !== undefined) return sentenceOf(['option', terms[0]!, usual]);
   const sentence = panelWords.changes[key];
   if (typeof sentence === 'string') return sentence;
   const said = terms.map(textOf);
-  if (key === 'option') said[1] = settingText(terms[0]!, said[1]!);
+  if (key === 'option') said[1] = settingOf(terms[0]!)?.textOf(said[1]!) ?? said[1]!;
   return (sentence as (...said: string[]) => string)(...said);
 }
 
-function settingText(setting: Term, value: string): string {
-  const name = typeof setting === 'string' ? '' : (setting.option ?? '');
-  return SETTINGS.get(name)?.textOf(value) ?? value;
+function settingOf(term: Term) {
+  return typeof term === 'string' ? undefined : SETTINGS.get(term.option ?? '');
 }
 
 /** In the present language. */

@@ -23,6 +23,8 @@ export interface HistoryView {
   readonly forgotten: number;
   readonly canUndo: boolean;
   readonly canRedo: boolean;
+  /** A gesture is under way, whose entry is yet to come. */
+  readonly inGesture: boolean;
   /** Counts up with whatever happens to it. */
   readonly revision: number;
 }

@@ -32,7 +32,7 @@ const AT_LIMIT = 0.1;
 const MOST_MARKS = 500;
 
 /** Of the history, before that has been told. */
-const BEGINNING = { present: 0, forgotten: 0 };
+const BEGINNING = { names: [''], present: 0, forgotten: 0, inGesture: false };
 const NONE_BAD: BadCells = { off: new Set(), sharp: new Set() };
 
 type Unreachable = FrameData['unreachable'][number];
@@ -102,9 +102,12 @@ export class StuckNotice implements Panel {
   }
 
   setHandles(handles: readonly HandleData[], choice: Choice): void {
+    const isOther = choice.selection !== this.#choice?.selection;
     this.#handles = handles;
     this.#choice = choice;
     this.#show();
+    // What can be done with what is selected makes room, or takes it.
+    if (isOther) this.#place();
   }
 
   setHistory(history: HistoryView): void {
@@ -131,6 +134,10 @@ export class StuckNotice implements Panel {
     const isGood = frame.maxDeviation <= KEPT_DEVIATION && this.#bad.sharp.size === 0;
     this.#places.note(this.#history ?? BEGINNING, isGood);
     this.#show();
+    this.#place();
+  }
+
+  #place(): void {
     if (this.#isShown) placeClear(this.element, this.#handles, this.#events);
   }
 

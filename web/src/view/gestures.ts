@@ -85,6 +85,7 @@ export class Gestures {
   #press: Press | null = null;
   /** Where the canvas is on the page. Asked for once a press: while it moves something, the page would be laid out for each answer. */
   #box: Pick<DOMRect, 'left' | 'top' | 'width' | 'height'> = { left: 0, top: 0, width: 1, height: 1 };
+  #isBoxOld = false;
   #hover: PointerEvent | null = null;
   #hoverFrame = 0;
   /** How far the arrow keys have moved the selection while they are held; null: they are not. */
@@ -113,6 +114,7 @@ export class Gestures {
     canvas.addEventListener('keydown', (event) => this.#key(event), { signal });
     canvas.addEventListener('keyup', (event) => this.#keyUp(event), { signal });
     canvas.addEventListener('blur', () => this.#endNudge(), { signal });
+    window.addEventListener('resize', () => (this.#isBoxOld = true), { signal });
     window.addEventListener('keydown', (event) => this.#escape(event), { signal, capture: true });
     window.addEventListener('keydown', (event) => this.#axisKey(event), { signal, capture: true });
   }
@@ -169,6 +171,7 @@ export class Gestures {
       return;
     }
     if (event.buttons === 0) return this.#upUnseen(event, press);
+    if (this.#isBoxOld) this.#findBox();
     const at = (press.last = this.#place(event));
     press.gone = Math.max(press.gone, Math.hypot(at.x - press.at.x, at.y - press.at.y));
     if (!press.moved && press.gone > STILL[pointerKind(event)]) this.#begin(press);
@@ -421,6 +424,7 @@ export class Gestures {
   }
 
   #findBox(): void {
+    this.#isBoxOld = false;
     this.#box = this.#context.canvas.getBoundingClientRect();
   }
 

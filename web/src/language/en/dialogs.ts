@@ -313,6 +313,10 @@ export const dialogs = {
     vertices: (count: string) => `The net has ${count} vertices now.`,
     lengths: (length: string) => `The edges are ${length} long now.`,
     pieces: (count: number) => `It has ${count} pieces.`,
+    goneIfCoarser: (pieces: number) =>
+      pieces === 1
+        ? 'One piece was too narrow to be coarser, and is gone.'
+        : `${pieces} pieces were too narrow to be coarser, and are gone.`,
     sharp: 'Some corners are sharper than the limit: no such net within it was found.',
     lost: (handles: number) =>
       handles === 1

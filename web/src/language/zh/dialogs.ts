@@ -308,6 +308,7 @@ export const dialogs: Widened<typeof en> = {
     vertices: (count) => `网现在有 ${count} 个顶点。`,
     lengths: (length) => `现在边长为 ${length}。`,
     pieces: (count) => `它分成 ${count} 块。`,
+    goneIfCoarser: (pieces) => `有 ${pieces} 块太窄，无法变疏，已经消失。`,
     sharp: '没有找到所有角都不小于限度的网：有些角更尖。',
     lost: (handles) => `${handles} 个手柄随其顶点一起消失了。`,
     tooManyToRest: (limit) => `超过 ${limit} 个顶点，静止下来太慢，手等不及：现在网只保持边长。可在“材性”中更改。`,
