@@ -10,9 +10,7 @@ namespace chebnet {
 namespace {
 
 // A projection is worth no more precision than what it leaves of the error: it is a Newton step.
-constexpr double k_tolerance = 3e-2;
-// More iterations than this cost more than a new factor.
-constexpr int k_most_iterations = 12;
+constexpr LengthProjection::Accuracy k_of_projection{.tolerance = 3e-2};
 
 }  // namespace
 
@@ -32,24 +30,24 @@ bool LengthProjection::project(Positions& positions) {
 bool LengthProjection::project_assembled(Positions& positions) {
     m_rhs = m_system.errors();
     m_factorisation_ms = 0;
-    if (!solve_from(nullptr, k_tolerance, LengthSystem::k_shift)) return false;
+    if (!solve_from(nullptr, k_of_projection)) return false;
     m_multipliers *= -1;
     m_system.add_pull(m_multipliers, positions);
     return true;
 }
 
-bool LengthProjection::solve(const Eigen::VectorXd& rhs, double tolerance, Eigen::VectorXd& y, double shift) {
+bool LengthProjection::solve(const Eigen::VectorXd& rhs, const Accuracy& accuracy, Eigen::VectorXd& y) {
     m_rhs = rhs;
-    if (!solve_from(&y, tolerance, shift)) return false;
+    if (!solve_from(&y, accuracy)) return false;
     y = m_multipliers;
     return true;
 }
 
 /// Without a guess: from zero.
-bool LengthProjection::solve_from(const Eigen::VectorXd* guess, double tolerance, double shift) {
-    if (m_system.has_factor() && solve_by_conjugate_gradients(guess, tolerance, shift)) return true;
+bool LengthProjection::solve_from(const Eigen::VectorXd* guess, const Accuracy& accuracy) {
+    if (m_system.has_factor() && solve_by_conjugate_gradients(guess, accuracy)) return true;
     if (!factorize()) return false;
-    solve_by_conjugate_gradients(guess, tolerance, shift);
+    solve_by_conjugate_gradients(guess, accuracy);
     return m_multipliers.allFinite();
 }
 
@@ -61,26 +59,26 @@ bool LengthProjection::factorize() {
 }
 
 /// False if the tolerance is not reached; then the multipliers are as good as the iterations made them.
-bool LengthProjection::solve_by_conjugate_gradients(const Eigen::VectorXd* guess, double tolerance, double shift) {
+bool LengthProjection::solve_by_conjugate_gradients(const Eigen::VectorXd* guess, const Accuracy& accuracy) {
     m_residual = m_rhs;
     if (guess != nullptr) {
         m_multipliers = *guess;
-        m_system.multiply(m_multipliers, m_image, shift);
+        m_system.multiply(m_multipliers, m_image, accuracy.shift);
         m_residual -= m_image;
     } else {
         m_multipliers.setZero();
     }
-    const double enough = tolerance * tolerance * squared_error();
+    const double enough = accuracy.tolerance * accuracy.tolerance * squared_error();
     if (ordered_dot(m_residual, m_residual) <= enough) return true;  // also where nothing is asked for
     double product = 0;
-    for (int k = 0; k < k_most_iterations; ++k) {
+    for (int k = 0; k < accuracy.iterations; ++k) {
         m_system.precondition(m_residual, m_preconditioned);
         const double previous = std::exchange(product, ordered_dot(m_residual, m_preconditioned));
         if (k == 0)
             m_search = m_preconditioned;
         else
             m_search = m_preconditioned + product / previous * m_search;
-        m_system.multiply(m_search, m_image, shift);
+        m_system.multiply(m_search, m_image, accuracy.shift);
         const double step = product / ordered_dot(m_search, m_image);
         m_multipliers += step * m_search;
         m_residual -= step * m_image;

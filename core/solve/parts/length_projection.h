@@ -38,16 +38,23 @@ public:
     double squared_error() const;
     double factorisation_ms() const { return m_factorisation_ms; }  ///< of the last projection
 
-    /// Solves (J W Jᵀ) y = rhs at the positions the system has been assembled for, until `tolerance` of the right-hand
-    /// side is left; `y` is the guess to begin with. `shift`: of the diagonal. False if it cannot be solved.
-    bool solve(const Eigen::VectorXd& rhs, double tolerance, Eigen::VectorXd& y, double shift = LengthSystem::k_shift);
+    /// How exactly the system is solved: until this part of the right-hand side is left, by so many iterations at most
+    /// with a factor, and with a diagonal that is larger by this part.
+    struct Accuracy {
+        double tolerance;
+        int iterations = 12;  // more would cost more than a new factor
+        double shift = LengthSystem::k_shift;
+    };
+    /// Solves (J W Jᵀ) y = rhs at the positions the system has been assembled for; `y` is the guess to begin with.
+    /// False if it cannot be solved.
+    bool solve(const Eigen::VectorXd& rhs, const Accuracy& accuracy, Eigen::VectorXd& y);
     LengthSystem& system() { return m_system; }
     const LengthSystem& system() const { return m_system; }
 
 private:
-    bool solve_from(const Eigen::VectorXd* guess, double tolerance, double shift);
+    bool solve_from(const Eigen::VectorXd* guess, const Accuracy& accuracy);
     bool factorize();
-    bool solve_by_conjugate_gradients(const Eigen::VectorXd* guess, double tolerance, double shift);
+    bool solve_by_conjugate_gradients(const Eigen::VectorXd* guess, const Accuracy& accuracy);
 
     LengthSystem m_system;
     Eigen::VectorXd m_rhs, m_multipliers;

@@ -153,7 +153,7 @@ void RestDescent::begin_solve(bool is_as_left) {
     m_steps = 0;
     m_has_given_way = false;
     m_beginnings = 0;
-    if (m_newton) m_newton->set_shift(LengthSystem::k_shift);
+    if (m_newton) m_newton->find_whole_tension(false);
     if (m_constraints) m_constraints->set_patient(false);
 }
 
@@ -182,7 +182,7 @@ Status RestDescent::relax(Positions& positions, TraceRow& row) {
 /// the exact lengths, as often as steps have left them. False if that leads no farther.
 bool RestDescent::goes_on_beside_taut_lines(Positions& positions) {
     const bool is_new = m_beginnings == 0, has_left_lengths = m_max_deviation >= k_end_deviation;
-    m_newton->set_shift(LengthSystem::k_least_shift);
+    m_newton->find_whole_tension(true);
     m_constraints->set_patient(true);
     refine_lengths(positions);
     if (!is_new && (!has_left_lengths || m_beginnings == k_most_beginnings)) return false;

@@ -22,7 +22,10 @@ constexpr double k_metric_shift = 1e-6;
 // for what is between.
 constexpr double k_penalty = 500;
 constexpr double k_block_shift = 1e-4;
-constexpr double k_multiplier_tolerance = 1e-7;
+// Of multipliers, and of those of lines that are nearly straight, of which the factor in single precision knows little.
+constexpr LengthProjection::Accuracy k_of_multipliers{.tolerance = 1e-7};
+constexpr LengthProjection::Accuracy k_of_whole_tension{
+    .tolerance = 1e-10, .iterations = 100, .shift = LengthSystem::k_least_shift};
 
 }  // namespace
 
@@ -33,7 +36,8 @@ TangentNewton::TangentNewton(const Net& net, const Topology& topology, const Fre
       m_part(part),
       m_slides(slides.begin(), slides.end()),
       m_pairs(net, topology),
-      m_form(m_pairs, net.vertex_count()) {
+      m_form(m_pairs, net.vertex_count()),
+      m_accuracy(k_of_multipliers) {
     for (int v = 0; v < net.vertex_count(); ++v)
         if (part.node_of(v) < 0) m_fixed.push_back(v);
     if (m_slides.empty())
@@ -68,6 +72,8 @@ void TangentNewton::mask(Eigen::Matrix3Xd& vectors) const {
     for (const auto& [v, along] : m_slides) vectors.col(v) = across(k_all_axes - along, vectors.col(v));
 }
 
+void TangentNewton::find_whole_tension(bool on) { m_accuracy = on ? k_of_whole_tension : k_of_multipliers; }
+
 bool TangentNewton::linearise(const Positions& x, const Eigen::Matrix3Xd& gradient, LengthProjection& lengths) {
     Stopwatch watch;
     m_lengths = &lengths;
@@ -85,7 +91,7 @@ bool TangentNewton::linearise(const Positions& x, const Eigen::Matrix3Xd& gradie
     mask(m_descent);
     weigh(1, m_descent);
     system.stretch(m_descent, m_changes);
-    if (!lengths.solve(m_changes, k_multiplier_tolerance, m_multipliers, m_shift)) return false;
+    if (!lengths.solve(m_changes, m_accuracy, m_multipliers)) return false;
     system.add_pull(-m_multipliers, m_descent);
     weigh(-1, m_descent);
     m_normal.setZero(3, m_net.vertex_count());
@@ -97,7 +103,7 @@ bool TangentNewton::linearise(const Positions& x, const Eigen::Matrix3Xd& gradie
 
 bool TangentNewton::shorten(const Eigen::VectorXd& rows) {
     Eigen::VectorXd y = Eigen::VectorXd::Zero(rows.size());
-    if (!m_lengths->solve(rows, k_multiplier_tolerance, y)) return false;
+    if (!m_lengths->solve(rows, k_of_multipliers, y)) return false;
     m_normal.setZero();
     m_lengths->system().add_pull(-y, m_normal);
     m_normal_slope = ordered_dot(m_multipliers, rows);

@@ -66,9 +66,9 @@ public:
     /// Moves from now on make the rows of the system shorter by these, in edge lengths, until the next linearise().
     /// False if that cannot be done.
     bool shorten(const Eigen::VectorXd& rows);
-    /// Of the system that the next linearise() finds λ by, see LengthProjection::solve(). It takes a part from the
-    /// tension of lines that are nearly straight, and leaves a force that no move takes off.
-    void set_shift(double shift) { m_shift = shift; }
+    /// Whether linearise() finds λ however slowly: else it takes a part from the tension of lines that are nearly
+    /// straight, and leaves a force that no move takes off.
+    void find_whole_tension(bool on);
     /// λ of each row of the system: positive where it pulls.
     const Eigen::VectorXd& multipliers() const { return m_multipliers; }
     /// Those of before are what the search for new ones begins with, and so a trace of the way here.
@@ -141,7 +141,7 @@ private:
     std::unique_ptr<NeighbourSystem> m_blocks;  // made when needed
     bool m_has_factor = false, m_factor_is_used = false;
 
-    double m_shift = LengthSystem::k_shift;
+    LengthProjection::Accuracy m_accuracy;  // of λ
     Eigen::VectorXd m_multipliers;
     bool m_ended_at_radius = false, m_met_negative_curvature = false;
     int m_inner_iterations = 0;
