@@ -106,9 +106,10 @@ private:
             options.length = 0;
             options.cells = k_trial_cells;
         }
+        double part = 0;  // phases may begin again
         const RemeshProgress progress = [&](RemeshPhase phase, double done) {
             const int first = static_cast<int>(RemeshPhase::triangles);
-            const double part = (static_cast<int>(phase) - first + done) / (k_remesh_phases - first);
+            part = std::max(part, (static_cast<int>(phase) - first + done) / (k_remesh_phases - first));
             if (m_progress) m_progress(RemeshPhase::border, (static_cast<double>(k) + part) / m_ways.size());
         };
         m_trials.push_back(made(m_ways[k], options, progress));

@@ -491,6 +491,19 @@ TEST_CASE("A dome whose border goes in steps of about a cell is covered by as ma
     CHECK(std::abs(net.face_count() - options.cells) < 50);
 }
 
+TEST_CASE("A net line along a border that goes in steps of about a cell does not crumple the net") {
+    RemeshOptions options = of_cells(400);
+    options.border = RemeshOptions::Border::always;
+    for (const Surface& dome : {stepped_dome(25, 0.7), stepped_dome(41, 0.9)}) {
+        const Net net = remesh(std::make_shared<const Guide>(dome), options).net;
+        const DrapeReport report = measure_drape(dome, SurfaceTree(dome), net);
+        CAPTURE(dome.face_count());
+        CHECK(report.folds == 0);
+        CHECK(report.mean_distance < 0.02 * report.length);
+        CHECK(off_border(dome, net) < 0.5);
+    }
+}
+
 TEST_CASE("All pieces of a surface are covered") {
     const Surface spheres(beside(samples::sphere(8), samples::sphere(8), {3, 0, 0}));
     CHECK(Topology(remeshed(spheres, of_cells(600), 4).net).component_count() == 2);
