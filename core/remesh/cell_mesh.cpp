@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <utility>
 
 namespace chebnet {
@@ -14,13 +15,13 @@ constexpr int k_most_rounds = 100;
 // Cells at a vertex of a regular grid.
 constexpr int k_inner_cells = 4, k_boundary_cells = 2;
 constexpr int k_least_inner_cells = 3;
-// Cells in a row that hang by one side at the border. What is longer is a narrow part of the surface.
+// Cells in a row that hang by one side at the border, or by none. What is longer is a narrow part of the surface.
 constexpr int k_longest_tail = 2;
 
 class CellMesh {
 public:
     explicit CellMesh(const Cells& cells)
-        : m_opposite(cells.opposite), m_is_there(static_cast<std::size_t>(cells.size()), true) {
+        : m_opposite(cells.opposite), m_piece(cells.pieces), m_is_there(static_cast<std::size_t>(cells.size()), true) {
         place_corners(cells);
     }
 
@@ -29,6 +30,7 @@ public:
         for (int round = 0; round < k_most_rounds && tidy(); ++round) number_vertices();
         for (int q = 0; q < static_cast<int>(m_is_there.size()); ++q)
             if (m_is_there[q]) cut_tail(q);
+        leave_out_scraps();
         number_vertices();
         return mesh();
     }
@@ -176,6 +178,36 @@ private:
         }
     }
 
+    /// Where the border of the surface turns within a cell, one may lie beyond it that has no side with others: of each
+    /// piece of the surface what hangs together most stays.
+    void leave_out_scraps() {
+        const std::vector<std::vector<int>> parts = parts_of_mesh();
+        std::map<int, std::size_t> most;
+        for (const std::vector<int>& part : parts) {
+            std::size_t& count = most[m_piece[part.front()]];
+            count = std::max(count, part.size());
+        }
+        for (const std::vector<int>& part : parts)
+            if (part.size() <= k_longest_tail && part.size() < most[m_piece[part.front()]])
+                for (const int q : part) m_is_there[q] = false;
+    }
+
+    /// Cells that hang together by sides.
+    std::vector<std::vector<int>> parts_of_mesh() const {
+        std::vector<std::vector<int>> parts;
+        std::vector<bool> is_found(m_is_there.size(), false);
+        for (int first = 0; first < static_cast<int>(m_is_there.size()); ++first) {
+            if (!m_is_there[first] || is_found[first]) continue;
+            is_found[first] = true;
+            std::vector<int> part{first};
+            for (std::size_t k = 0; k < part.size(); ++k)
+                for (const int q : beside(part[k], -1))
+                    if (!is_found[q]) is_found[q] = true, part.push_back(q);
+            parts.push_back(std::move(part));
+        }
+        return parts;
+    }
+
     /// The cells beyond its sides but for one of them, once for each side.
     std::vector<int> beside(int q, int but) const {
         std::vector<int> cells;
@@ -199,7 +231,7 @@ private:
     }
 
     Positions m_corners;  // of each side where it begins
-    std::vector<int> m_opposite;
+    std::vector<int> m_opposite, m_piece;
     std::vector<bool> m_is_there;
     std::vector<int> m_vertex;
     std::vector<Vertex> m_vertices;

@@ -47,9 +47,11 @@ public:
         Cells cells;
         cells.centres.resize(3, static_cast<Eigen::Index>(m_centres.size()));
         cells.normals.resize(3, cells.centres.cols());
+        const std::vector<int> pieces = m_surface.components();
         for (int k = 0; k < cells.size(); ++k) {
             cells.centres.col(k) = m_surface.position_at(m_centres[k]);
             cells.normals.col(k) = m_surface.face_normals().col(m_centres[k].face);
+            cells.pieces.push_back(pieces[m_centres[k].face]);
         }
         cells.opposite.resize(4 * m_centres.size());
         // Side k of a cell goes from the corner between the darts k and k + 1 to the next, across dart k + 1.

@@ -14,6 +14,7 @@ struct Cells {
     std::vector<int> opposite;  ///< of each side the side of the neighbour along the same edge; −1 at the boundary
     Positions centres;          ///< 3×Q
     Positions normals;          ///< 3×Q, of the surface there
+    std::vector<int> pieces;    ///< of each the piece of the surface on which it is, as Surface::components() counts
 
     int size() const { return static_cast<int>(centres.cols()); }
 };

@@ -6,7 +6,9 @@
 #include <tuple>
 #include <utility>
 
+#include "drape/tilt.h"
 #include "net/measures.h"
+#include "remesh/border_distance.h"
 #include "remesh/fit.h"
 #include "remesh/wish_pulls.h"
 
@@ -23,6 +25,10 @@ constexpr int k_most_lesser_nets = 2, k_most_of_length = 4;
 // A net of a given length may have too few cells for the surface, and shrinks within it then, or too many: where it is
 // farther from it than this, in edges, on average, another number of cells may fit.
 constexpr double k_good_distance = 0.15;
+// Where a net is crumpled whose border is held, one is better that has fewer folds by this factor, if its border is no
+// farther off, in edges, on average.
+constexpr int k_far_fewer_folds = 3;
+constexpr double k_loose_border = 0.5;
 
 }  // namespace
 
@@ -46,7 +52,7 @@ std::optional<TriedNet> NetTrials::good() {
 
 std::optional<Net> NetTrials::small() {
     try {
-        return fitted(m_mesher.small_mesh(), 0, false).net;
+        return fitted(m_mesher.small_mesh(), 0, {}).net;
     } catch (const Error& error) {
         if (error.code() == ErrorCode::too_large) throw;
         return std::nullopt;
@@ -104,7 +110,8 @@ bool NetTrials::try_once(double size, double smoothing, bool turns) {
     if (m_options.length > 0 && size < k_least_size_for_length) return false;
     try {
         const Mesh mesh = m_mesher.mesh_along(size, smoothing, turns);
-        TriedNet found = fitted(mesh, m_options.length, false);
+        TriedNet found = fitted(mesh, m_options.length, {});
+        if (std::optional<TriedNet> other = with_loose_border(mesh, found)) found = std::move(*other);
         if (std::optional<TriedNet> other = following_creases(mesh, found)) found = std::move(*other);
         m_tried.push_back(std::move(found));
         const TriedNet& last = m_tried.back();
@@ -119,14 +126,14 @@ bool NetTrials::try_once(double size, double smoothing, bool turns) {
 }
 
 /// `length`: of all edges; 0: the one that fits.
-TriedNet NetTrials::fitted(const Mesh& mesh, double length, bool suits_creases) {
+TriedNet NetTrials::fitted(const Mesh& mesh, double length, Lines lines) {
     m_clock.begin(RemeshPhase::fit);
     const FitOptions options{length,
                              m_options.smallest_angle,
                              wish_pulls(mesh, m_options.singular, m_guide->tree(), m_mesher.cell()),
                              m_mesher.creases().segments(),
-                             suits_creases,
-                             m_mesher.held_border(m_guide->surface())};
+                             lines.suits_creases,
+                             lines.lets_border_go ? std::vector<bool>() : m_mesher.held_border(m_guide->surface())};
     Net net = fit_net(m_guide, mesh, options, [this](double done) { m_clock.tell(done); });
     std::vector<SingularVertex> singular = singular_vertices(net);
     KeptWishes kept = kept_wishes(net, singular, m_options.singular);
@@ -135,12 +142,30 @@ TriedNet NetTrials::fitted(const Mesh& mesh, double length, bool suits_creases) 
     return {std::move(net), std::move(singular), std::move(kept), distance};
 }
 
+/// A border with steps about as large as a cell may be longer or shorter than as many edges, and crumples the net where
+/// each of its corners is held. One whose border may stand off from it a little is taken if it has far fewer folds.
+std::optional<TriedNet> NetTrials::with_loose_border(const Mesh& mesh, const TriedNet& found) {
+    if (m_mesher.held_border(m_guide->surface()).empty()) return std::nullopt;
+    const int folds = crumpled_edges(*m_guide, found.net);
+    if (folds == 0) return std::nullopt;
+    try {
+        TriedNet other = fitted(mesh, m_options.length, {.lets_border_go = true});
+        const bool is_smooth = k_far_fewer_folds * crumpled_edges(*m_guide, other.net) <= folds;
+        const bool is_near = border_distance(m_guide->surface(), other.net) <= k_loose_border * other.net.mean_length();
+        const bool keeps_as_much =
+            other.kept.missed() <= found.kept.missed() && keeps_limit(other) >= keeps_limit(found);
+        if (is_smooth && is_near && keeps_as_much) return other;
+    } catch (const Error&) {  // that mesh fits no other way
+    }
+    return std::nullopt;
+}
+
 /// Where marked creases are not followed, a net whose length suits them may do so.
 std::optional<TriedNet> NetTrials::following_creases(const Mesh& mesh, const TriedNet& found) {
     if (m_options.length > 0 || std::all_of(found.kept.creases.begin(), found.kept.creases.end(), is_followed))
         return std::nullopt;
     try {
-        TriedNet other = fitted(mesh, m_options.length, true);
+        TriedNet other = fitted(mesh, m_options.length, {.suits_creases = true});
         if (other.kept.missed() < found.kept.missed()) return other;
     } catch (const Error&) {  // that length fits nothing else
     }

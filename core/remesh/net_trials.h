@@ -43,11 +43,17 @@ public:
     [[noreturn]] void refuse() const;
 
 private:
+    /// Which of them a fit follows otherwise than usual.
+    struct Lines {
+        bool suits_creases = false, lets_border_go = false;
+    };
+
     bool find_good();
     bool try_with_lines();
     bool try_all();
     bool try_once(double size, double smoothing, bool turns);
-    TriedNet fitted(const Mesh& mesh, double length, bool suits_creases);
+    TriedNet fitted(const Mesh& mesh, double length, Lines lines);
+    std::optional<TriedNet> with_loose_border(const Mesh& mesh, const TriedNet& found);
     std::optional<TriedNet> following_creases(const Mesh& mesh, const TriedNet& found);
     bool keeps_limit(const TriedNet& found) const;
 

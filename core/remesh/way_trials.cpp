@@ -52,11 +52,10 @@ public:
         for (std::size_t k = 0; k < m_ways.size(); ++k) {
             try_way(k);
             if (k + 1 < m_rivals || !best()->is_good()) continue;
-            finish_best();
+            finish(best());
             if (m_finished.is_good()) return std::move(*m_finished.made);
         }
-        while (!m_trials.empty() && (!m_finished.made || (m_finals < k_most_finals && promises_more(*best()))))
-            finish_best();
+        for (auto next = next_to_finish(); next != m_trials.end(); next = next_to_finish()) finish(next);
         if (!m_finished.made) std::rethrow_exception(m_failure);
         return std::move(*m_finished.made);
     }
@@ -67,15 +66,18 @@ private:
         std::optional<Border> border;  // none: in one piece
         double crease = 0;             // beside those that are asked for
     };
-    // Each takes its time.
-    static constexpr int k_most_finals = 2;
+    // Each takes its time: more are made only where all so far are crumpled.
+    static constexpr int k_most_finals = 2, k_most_finals_if_crumpled = 4;
+    // With so many folds it is worth it to try what led to no net of few cells.
+    static constexpr int k_many_folds = 10;
 
     struct Trial {
         Way way{};
         std::optional<Remesh> made;
         int missed = std::numeric_limits<int>::max();
         double cost = std::numeric_limits<double>::infinity();
-        std::exception_ptr failure{};  // why none was made
+        int folds = std::numeric_limits<int>::max();  // edges at which it is crumpled
+        std::exception_ptr failure{};                 // why none was made
 
         bool is_good() const { return missed == 0 && cost <= k_good_cost; }
         auto rank() const { return std::pair(missed, cost); }
@@ -106,9 +108,10 @@ private:
             options.length = 0;
             options.cells = k_trial_cells;
         }
+        double part = 0;  // phases may begin again
         const RemeshProgress progress = [&](RemeshPhase phase, double done) {
             const int first = static_cast<int>(RemeshPhase::triangles);
-            const double part = (static_cast<int>(phase) - first + done) / (k_remesh_phases - first);
+            part = std::max(part, (static_cast<int>(phase) - first + done) / (k_remesh_phases - first));
             if (m_progress) m_progress(RemeshPhase::border, (static_cast<double>(k) + part) / m_ways.size());
         };
         m_trials.push_back(made(m_ways[k], options, progress));
@@ -125,9 +128,24 @@ private:
                (trial.missed == m_finished.missed && trial.cost < k_clearly_less * m_finished.cost);
     }
 
+    /// The best, or where what came of that is crumpled, the best of those that promise not to be. None if it is
+    /// enough.
+    std::vector<Trial>::iterator next_to_finish() {
+        if (m_trials.empty()) return m_trials.end();
+        if (!m_finished.made || (m_finals < k_most_finals && promises_more(*best()))) return best();
+        auto smooth = m_trials.end(), failed = m_trials.end();
+        if (m_finished.folds == 0 || m_tries >= k_most_finals_if_crumpled) return smooth;
+        for (auto trial = m_trials.begin(); trial != m_trials.end(); ++trial) {
+            const bool is_smooth = trial->folds == 0 && promises_more(*trial);
+            if (is_smooth && (smooth == m_trials.end() || trial->rank() < smooth->rank())) smooth = trial;
+            if (!trial->made && trial->way.border && !are_few()) failed = trial;
+        }
+        return smooth == m_trials.end() && m_finished.folds > k_many_folds ? failed : smooth;
+    }
+
     /// As it is asked for, unless one is finished that is better.
-    void finish_best() {
-        const auto place = best();
+    void finish(std::vector<Trial>::iterator place) {
+        ++m_tries;
         Trial trial = std::move(*place);
         m_trials.erase(place);
         if (m_progress) m_progress(RemeshPhase::border, 1);
@@ -165,7 +183,8 @@ private:
         }
         if (trial.made) {
             trial.missed = trial.made->kept.missed();
-            trial.cost = cost(trial.made->net);
+            trial.folds = crumpled_edges(*m_guide, trial.made->net);
+            trial.cost = cost(trial.made->net, trial.folds);
         }
         return trial;
     }
@@ -185,11 +204,10 @@ private:
         return result;
     }
 
-    double cost(const Net& net) const {
+    double cost(const Net& net, int folds) const {
         const DrapeReport report = measure_drape(m_guide->surface(), m_guide->tree(), net);
         const double distances = report.mean_distance + k_border_weight * border_distance(m_guide->surface(), net);
-        const double lines =
-            k_open_weight * report.open_border / report.length + k_fold_weight * crumpled_edges(*m_guide, net);
+        const double lines = k_open_weight * report.open_border / report.length + k_fold_weight * folds;
         return k_gap_weight * (1 - report.coverage) + distances / report.length +
                k_sharp_weight * std::max(0.0, k_open_angle - report.smallest_angle) +
                k_tilt_weight * mean_tilt(*m_guide, net) + lines / std::sqrt(net.face_count());
@@ -203,7 +221,8 @@ private:
     std::size_t m_rivals;  // so many of the first are tried at least
     Stopwatch m_watch;
     std::vector<Trial> m_trials;
-    int m_finals = 0;              // nets made as asked for
+    int m_tries = 0;               // to make nets as asked for
+    int m_finals = 0;              // those made
     Trial m_finished;              // the best of those made as asked for
     std::exception_ptr m_failure;  // of the first that did not come about as asked for
 };

@@ -169,6 +169,13 @@ Surface plate(int m, int n, double width, double height, const std::function<boo
     return Surface(repair(mesh, {Defect::unused_vertices}).mesh);
 }
 
+/// Of squares, without those beyond a circle.
+Surface stepped_dome(int size, double height) {
+    const Mesh whole = samples::graph(
+        size, 1, [height](double x, double y) { return height * std::sqrt(std::max(0.0, 1.4 - x * x - y * y)); });
+    return Surface(samples::without(whole, [](const auto& p) { return p.x() * p.x() + p.y() * p.y() > 0.97; }));
+}
+
 Surface disc() {
     Mesh mesh = samples::sphere(16, true);
     for (int v = 0; v < mesh.positions.cols(); ++v) {
@@ -410,8 +417,9 @@ TEST_CASE("A net over a rough scan is folded no more than one over the shape wit
 TEST_CASE(
     "Of cells in a row one or two that hang at a border are left out, a narrow part and a piece of its own stay") {
     using Place = std::pair<int, int>;
-    const auto faces_left = [](const std::vector<Place>& places) {
-        Cells cells{{}, Positions::Zero(3, std::ssize(places)), Positions::Zero(3, std::ssize(places))};
+    const auto faces_left = [](const std::vector<Place>& places, std::vector<int> pieces = {}) {
+        pieces.resize(places.size(), 0);
+        Cells cells{{}, Positions::Zero(3, std::ssize(places)), Positions::Zero(3, std::ssize(places)), pieces};
         for (int q = 0; q < cells.size(); ++q) {
             cells.centres.col(q) << places[q].first, places[q].second, 0;
             cells.normals.col(q) = Eigen::Vector3d::UnitZ();
@@ -435,6 +443,15 @@ TEST_CASE(
     for (const auto& [row, left] : {std::pair(0, 9), {1, 9}, {2, 9}, {3, 12}, {4, 13}})
         CHECK(faces_left(block_with_row(3, row)) == left);
     for (const int alone : {1, 2, 3, 4}) CHECK(faces_left(block_with_row(0, alone)) == alone);
+    // Beside a block, on the same piece of the surface or on one of its own.
+    std::vector<Place> apart = block_with_row(3, 0);
+    for (const auto& [count, left] : {std::pair(1, 9), {2, 9}, {3, 12}}) {
+        apart.emplace_back(8 + count, 0);
+        CHECK(faces_left(apart) == left);
+        std::vector<int> pieces(9, 0);
+        pieces.resize(apart.size(), 1);
+        CHECK(faces_left(apart, pieces) == 9 + count);
+    }
 }
 
 TEST_CASE("No tail of one or two cells hangs at the border, a narrow part of a surface is covered") {
@@ -465,6 +482,26 @@ TEST_CASE("No tail of one or two cells hangs at the border, a narrow part of a s
     const Mesh arm = samples::without(samples::plane(81, 8),
                                       [](const Eigen::Vector3d& p) { return p.x() > 2 && std::abs(p.y()) > 0.6; });
     CHECK(remeshed(Surface(arm), of_cells(120), 1).net.rest_positions().row(0).maxCoeff() > 6.5);
+}
+
+TEST_CASE("A dome whose border goes in steps of about a cell is covered by as many cells as asked for") {
+    RemeshOptions options = of_cells(400);
+    options.border = RemeshOptions::Border::never;
+    const Net net = remesh(std::make_shared<const Guide>(stepped_dome(41, 0.9)), options).net;
+    CHECK(std::abs(net.face_count() - options.cells) < 50);
+}
+
+TEST_CASE("A net line along a border that goes in steps of about a cell does not crumple the net") {
+    RemeshOptions options = of_cells(400);
+    options.border = RemeshOptions::Border::always;
+    for (const Surface& dome : {stepped_dome(25, 0.7), stepped_dome(41, 0.9)}) {
+        const Net net = remesh(std::make_shared<const Guide>(dome), options).net;
+        const DrapeReport report = measure_drape(dome, SurfaceTree(dome), net);
+        CAPTURE(dome.face_count());
+        CHECK(report.folds == 0);
+        CHECK(report.mean_distance < 0.02 * report.length);
+        CHECK(off_border(dome, net) < 0.5);
+    }
 }
 
 TEST_CASE("All pieces of a surface are covered") {
