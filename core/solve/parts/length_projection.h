@@ -41,7 +41,7 @@ public:
     /// How exactly the system is solved: until this part of the right-hand side is left, by so many iterations at most
     /// with a factor, and with a diagonal that is larger by this part.
     struct Accuracy {
-        double tolerance;
+        double tolerance = 0;
         int iterations = 12;  // more would cost more than a new factor
         double shift = LengthSystem::k_shift;
     };
