@@ -70,8 +70,8 @@ bool NetConstraints::project_lengths(Positions& positions, double threshold) {
     const double exact_error = std::min(k_exact_error, std::sqrt(threshold) / 2);
     double best = std::numeric_limits<double>::infinity();
     const int most = m_is_patient ? k_most_patient_projections : k_most_projections;
-    m_lengths->system().assemble(positions);
     const int most_idle = m_is_patient ? k_long_patience : k_patience;
+    m_lengths->system().assemble(positions);
     for (int k = 0, patience = most_idle; k < most && patience > 0; ++k, --patience) {
         if (!m_lengths->project_assembled(positions)) return false;
         m_lengths->system().assemble(positions);
