@@ -417,6 +417,8 @@ export interface Editor {
   /** A search for the smallest `length_scale` with which the exact handles are met, those named at these targets. Throws
    *  "left_out" in a module that does without. */
   lengthAdapter(wanted?: readonly Handle[]): LengthAdapter;
+  /** Looks for another net at rest, with less energy. Throws `bad_option` for another method than `equilibrium`. */
+  restSearch(): RestSearch;
 
   /** Of the last solve; null where its method does not tell, and while handles are on their way. Throws "left_out" in a
    *  module that does without. */
@@ -464,6 +466,29 @@ export interface AdaptReport {
 /** For handles beyond reach: how little all edges must grow; see core/edit/length_adapter.h, whose contract this follows. */
 export interface LengthAdapter {
   solve(budget?: Budget): AdaptReport;
+  /** Sets the editor it was made by to what is found. Only once it has `converged`. */
+  accept(): void;
+  /** Frees the memory on the other side; it must not be used again. */
+  dispose(): void;
+}
+
+export interface RestSearchReport {
+  /** `converged`: a net with less energy is found; `unreachable`: none is. */
+  status: Status;
+  /** 0 … 1, about. */
+  done: number;
+  /** Of the net as it was; Infinity: it was none. */
+  energyBefore: number;
+  /** The least found so far. */
+  energy: number;
+  /** Since the beginning, as are the milliseconds. */
+  iterations: number;
+  milliseconds: number;
+}
+
+/** For an edit that has several equilibria; see core/edit/rest_search.h, whose contract this follows. */
+export interface RestSearch {
+  solve(budget?: Budget): RestSearchReport;
   /** Sets the editor it was made by to what is found. Only once it has `converged`. */
   accept(): void;
   /** Frees the memory on the other side; it must not be used again. */

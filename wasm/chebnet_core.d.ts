@@ -27,6 +27,7 @@ import type {
   PiecesDrape,
   Point,
   RepairedMesh,
+  RestSearchReport,
   ShapeInfo,
   Status,
   SurfacePlace,
@@ -142,6 +143,12 @@ export interface CoreLengthAdapter {
   delete(): void;
 }
 
+export interface CoreRestSearch {
+  solve(iterations: number, milliseconds: number): RestSearchReport;
+  accept(session: Session): void;
+  delete(): void;
+}
+
 /** `along`: 3 numbers a point. */
 export type CoreDrapeOptions = Required<Omit<DrapeOptions, 'along'>> & { along: Float64Array };
 
@@ -196,6 +203,7 @@ export interface Core {
   ): CoreExactChange;
   equalizer(mesh: Mesh, options: CoreEqualizeOptions): CoreEqualizer;
   lengthAdapter(session: Session, vertices: Int32Array, targets: Float64Array): CoreLengthAdapter;
+  restSearch(session: Session): CoreRestSearch;
   /** Of handles 3 numbers each. */
   forces(session: Session): (Omit<NetForces, 'handles'> & { handles: Float64Array }) | null;
   guide(session: Session, surface: CoreSurface): void;

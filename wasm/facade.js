@@ -2,8 +2,8 @@
 // a number that is no integer becomes one and a missing coordinate becomes 0.
 
 /**
- * @import { Axes, Ball, Budget, ChangedMesh, Chebnet, Defect, DrapeArms, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, ExactChange, Handle, LengthAdapter, Locality, Mesh, Point, RemeshOptions, RemeshPhase, RestLengths, SolveReport, Surface, TraceRow, WishedSingular } from './chebnet'
- * @import { Core, CoreDrapeOptions, CoreEqualizer, CoreExactChange, CoreHandles, CoreLengthAdapter, CoreLocality, CoreRemeshOptions, CoreState, CoreSurface, Session } from '../build/wasm/chebnet_core.js'
+ * @import { Axes, Ball, Budget, ChangedMesh, Chebnet, Defect, DrapeArms, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, ExactChange, Handle, LengthAdapter, Locality, Mesh, Point, RemeshOptions, RemeshPhase, RestLengths, RestSearch, SolveReport, Surface, TraceRow, WishedSingular } from './chebnet'
+ * @import { Core, CoreDrapeOptions, CoreEqualizer, CoreExactChange, CoreHandles, CoreLengthAdapter, CoreLocality, CoreRemeshOptions, CoreRestSearch, CoreState, CoreSurface, Session } from '../build/wasm/chebnet_core.js'
  */
 
 const LARGEST_INT = 2 ** 31 - 1;
@@ -399,7 +399,12 @@ class WasmEditor extends Owner {
   /** @param {readonly Handle[]} [wanted] @returns {LengthAdapter} */
   lengthAdapter(wanted = []) {
     const { vertices, targets } = flatHandles(wanted);
-    return new WasmLengthAdapter(wholeCore(this.#core).lengthAdapter(this.open, vertices, targets), () => this.open);
+    return new WasmSearch(wholeCore(this.#core).lengthAdapter(this.open, vertices, targets), 'adapter', () => this.open);
+  }
+
+  /** @returns {RestSearch} */
+  restSearch() {
+    return new WasmSearch(wholeCore(this.#core).restSearch(this.open), 'search', () => this.open);
   }
 
   forces() {
@@ -478,19 +483,21 @@ class WasmEditor extends Owner {
   }
 }
 
-/** @implements {LengthAdapter} @extends {Owner<CoreLengthAdapter>} */
-class WasmLengthAdapter extends Owner {
+/** What looks for another state of an editor.
+ *  @template {CoreLengthAdapter | CoreRestSearch} Core
+ *  @extends {Owner<Core>} */
+class WasmSearch extends Owner {
   #session;
 
-  /** @param {CoreLengthAdapter} adapter @param {() => Session} session that of the editor it was made by */
-  constructor(adapter, session) {
-    super(adapter, 'adapter');
+  /** @param {Core} search @param {string} name @param {() => Session} session that of the editor it was made by */
+  constructor(search, name, session) {
+    super(search, name);
     this.#session = session;
   }
 
-  /** @param {Budget} [budget] */
+  /** @param {Budget} [budget] @returns {ReturnType<Core['solve']>} */
   solve(budget = {}) {
-    return this.open.solve(...limits(budget));
+    return /** @type {ReturnType<Core['solve']>} */ (this.open.solve(...limits(budget)));
   }
 
   accept() {

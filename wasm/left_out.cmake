@@ -11,7 +11,7 @@ file(GLOB LEFT_OUT_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/io
      ${CMAKE_CURRENT_SOURCE_DIR}/core/remesh/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/core/change/*.cpp)
 list(APPEND LEFT_OUT_SOURCES ${LEFT_OUT_METHODS} ${LEFT_OUT_SHAPES})
 foreach(source base/number net/cell_sides net/families net/rods net/triangulation shapes/smooth_figure shapes/relaxation edit/equalize edit/exact_change
-               solve/parts/buckling solve/parts/turned_handles edit/by_hand edit/fair_start edit/flip edit/length_adapter edit/locality edit/net_forces
+               solve/parts/buckling solve/parts/turned_handles edit/by_hand edit/fair_start edit/flip edit/length_adapter edit/locality edit/net_forces edit/rest_search
                solve/parts/slides solve/parts/free_motions solve/parts/far_pulls solve/parts/pull_walk solve/terms/bent_lines solve/terms/closeness_term solve/terms/penalty_term
                fabricate/edge_table fabricate/flat_pattern fabricate/rod_table)
     list(APPEND LEFT_OUT_SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/core/${source}.cpp)

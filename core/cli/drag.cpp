@@ -123,16 +123,18 @@ Json frame_list(const std::vector<SolveReport>& frames) {
     return list;
 }
 
-Json drag_report(const DragArguments& arguments, const Editor& editor, const SolveReport& end, const Dragged& dragged) {
+Json drag_report(const DragArguments& arguments, const Editor& editor, const AdaptedSolve& adapted,
+                 const Dragged& dragged) {
     const std::vector<SolveReport>& frames = dragged.frames;
     const auto times = sorted_milliseconds(frames);
     Json report{{"net", arguments.solver.net.name},
                 {"method", editor.method()},
-                {"status", to_string(end.status)},
+                {"status", to_string(adapted.solve.status)},
                 {"is_held_back", dragged.is_held_back()},
-                {"to_rest", to_rest_report(end.to_rest)},
+                {"to_rest", to_rest_report(adapted.solve.to_rest)},
                 {"median_milliseconds", quantile(times, 0.5)},
                 {"percentile_95_milliseconds", quantile(times, 0.95)}};
+    if (adapted.rest_search) report["search_for_rest"] = rest_search_report(*adapted.rest_search);
     report.update(shape_report(editor));
     // Handles that fell short have been let go of where they stood.
     report["max_handle_error"] = dragged.handle_error;
@@ -164,9 +166,11 @@ int run_drag(const DragArguments& arguments) {
     Editor editor = open_editor(arguments.solver);
     const auto goal = open_edit(arguments.solver, editor);
     const Dragged dragged = drag(editor, goal, arguments.frames, !arguments.solver.adapts_lengths);
-    const SolveReport end = with_lengths_adapted(arguments.solver, editor, dragged.frames.back()).solve;
+    const AdaptedSolve adapted = with_rest_searched(
+        arguments.solver, editor, with_lengths_adapted(arguments.solver, editor, dragged.frames.back()));
+    const SolveReport& end = adapted.solve;
     write_results(arguments.solver, editor, to_csv(dragged.frames));
-    print(drag_report(arguments, editor, end, dragged));
+    print(drag_report(arguments, editor, adapted, dragged));
     if (!has_lengths(editor, end)) {
         tell_not_reached(editor, end, arguments.solver.adapts_lengths);
         return k_not_converged;

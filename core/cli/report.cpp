@@ -80,6 +80,13 @@ Json to_rest_report(const std::optional<ToRest>& left) {
             {"motion_in_lengths", left->motion}};
 }
 
+Json rest_search_report(const RestSearchReport& search) {
+    return {{"energy_before", search.energy_before},
+            {"energy", search.energy},
+            {"iterations", search.iterations},
+            {"milliseconds", search.milliseconds}};
+}
+
 Json forces_report(const Editor& editor) {
     const std::optional<NetForces> forces = net_forces(editor);
     if (!forces) return Json::object();

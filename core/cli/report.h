@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "edit/editor.h"
+#include "edit/rest_search.h"
 
 namespace chebnet {
 
@@ -20,6 +21,9 @@ Json unreachable_report(const std::vector<UnreachablePair>& pairs);
 
 /// What is left to do until the net is at rest, null where the method does not tell.
 Json to_rest_report(const std::optional<ToRest>& left);
+
+/// What a search for another net at rest has come to.
+Json rest_search_report(const RestSearchReport& search);
 
 /// What holds the net at rest: the energy of each term, the forces at handles and at corners, and the edges that pull
 /// and push most. Empty where the method does not tell.

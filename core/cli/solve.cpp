@@ -26,6 +26,7 @@ Json solve_report(const SolverArguments& arguments, const Editor& editor, const 
     if (adapted.search)
         report["search_for_lengths"] = {{"iterations", adapted.search->iterations},
                                         {"milliseconds", adapted.search->milliseconds}};
+    if (adapted.rest_search) report["search_for_rest"] = rest_search_report(*adapted.rest_search);
     report.update(shape_report(editor));
     report.update(forces_report(editor));
     return report;
@@ -34,7 +35,8 @@ Json solve_report(const SolverArguments& arguments, const Editor& editor, const 
 int run_solve(const SolverArguments& arguments) {
     Editor editor = open_editor(arguments);
     editor.set_handles(open_edit(arguments, editor));
-    const AdaptedSolve adapted = with_lengths_adapted(arguments, editor, editor.solve());
+    const AdaptedSolve adapted =
+        with_rest_searched(arguments, editor, with_lengths_adapted(arguments, editor, editor.solve()));
     write_results(arguments, editor, to_csv(adapted.solve.trace));
     print(solve_report(arguments, editor, adapted));
     if (!has_lengths(editor, adapted.solve)) {

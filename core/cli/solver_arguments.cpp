@@ -149,6 +149,9 @@ void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
         ->type_name("NUMBER");
     command.add_flag("--adapt-lengths", arguments.adapts_lengths,
                      "If handles are out of reach, let all edges grow by one factor, as small as does");
+    command.add_flag("--search-rest", arguments.searches_rest,
+                     "Then look for another net at rest with less energy, for method equilibrium: takes several times "
+                     "as long");
     CLI::Option* const guide =
         command
             .add_option(
@@ -207,6 +210,18 @@ AdaptedSolve with_lengths_adapted(const SolverArguments& arguments, Editor& edit
     if (!(is_net && at_rest.status == Status::max_iterations)) solved.status = at_rest.status;
     go_on_with(solved, at_rest, search.milliseconds);
     return {solved, search};
+}
+
+AdaptedSolve with_rest_searched(const SolverArguments& arguments, Editor& editor, AdaptedSolve solved) {
+    if (!arguments.searches_rest || !keeps_lengths(solved.solve.status)) return solved;
+    RestSearch search(editor);
+    solved.rest_search = search.solve();
+    if (solved.rest_search->status != Status::converged) return solved;
+    editor.set_state(search.state());
+    const SolveReport at_rest = editor.solve();
+    solved.solve.status = at_rest.status;
+    go_on_with(solved.solve, at_rest, solved.rest_search->milliseconds);
+    return solved;
 }
 
 void write_results(const SolverArguments& arguments, const Editor& editor, std::string_view trace_csv) {

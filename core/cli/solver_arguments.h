@@ -8,6 +8,7 @@
 
 #include "edit/editor.h"
 #include "edit/length_adapter.h"
+#include "edit/rest_search.h"
 #include "net_argument.h"
 #include "net_output.h"
 
@@ -21,6 +22,7 @@ struct SolverArguments {
     std::string initialisation{"naive"};
     std::string threshold, max_iterations, shear_limit, length_scale;  ///< empty: the default
     bool adapts_lengths = false;                                       ///< see with_lengths_adapted()
+    bool searches_rest = false;                                        ///< see with_rest_searched()
     std::string guide, guide_mode;                                     ///< empty: no guide; the default
     std::vector<std::string> settings;                                 ///< each "key=value"
     NetOutput output;
@@ -29,10 +31,11 @@ struct SolverArguments {
     std::string rods;   ///< likewise
 };
 
-/// What was solved and, if lengths were adapted then, the search for them.
+/// What was solved and, if lengths were adapted then, the search for them; likewise for another net at rest.
 struct AdaptedSolve {
-    SolveReport solve;  ///< with how all of it ended, and the iterations, time and trace of the solve after the search
+    SolveReport solve;  ///< with how all of it ended, and the iterations, time and trace of the solves after searches
     std::optional<AdaptReport> search{};
+    std::optional<RestSearchReport> rest_search{};
 };
 
 /// Declares the arguments and lists methods and options in the command's help.
@@ -51,6 +54,10 @@ std::vector<Handle> open_edit(const SolverArguments& arguments, const Editor& ed
 /// If that was asked for and the net does not keep its lengths: the smallest scale of them with which it meets the
 /// handles, see LengthAdapter.
 AdaptedSolve with_lengths_adapted(const SolverArguments& arguments, Editor& editor, SolveReport solved);
+
+/// If that was asked for and the net keeps its lengths: another at rest, with less energy, see RestSearch. Throws Error
+/// bad_option where the method knows no rest.
+AdaptedSolve with_rest_searched(const SolverArguments& arguments, Editor& editor, AdaptedSolve solved);
 
 /// Writes the files that were asked for. Throws Error file_access, too_large.
 void write_results(const SolverArguments& arguments, const Editor& editor, std::string_view trace_csv);

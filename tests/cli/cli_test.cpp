@@ -379,6 +379,28 @@ TEST_CASE("edges grow as little as handles beyond reach ask for, or by the scale
     check_refused(box.run("solve " + edit + "--length-scale 5"), "length_scale");
 }
 
+TEST_CASE("--search-rest ends at the same net whether handles jump or are dragged") {
+    const Sandbox box;
+    // Two opposite corners come nearer to each other, and a vertex near the middle goes down between them.
+    const json handles{{{"vertex", 0}, {"target", {-5, -5, 0}}},
+                       {{"vertex", 399}, {"target", {5, 5, 0}}},
+                       {{"vertex", 210}, {"target", {-0.0963, 0.3595, 0}}}};
+    box.write("twist.json", json{{"handles", handles}}.dump());
+    const std::string edit = "sheet:vertices=400 --edit twist.json ";
+    const json jump = box.run("solve " + edit + "--search-rest").json();
+    const json drag = box.run("drag " + edit + "--frames 10 --search-rest").json();
+    const auto energy = [](const json& report) { return report.at("search_for_rest").at("energy").get<double>(); };
+    CHECK(energy(jump) < 0.5 * jump.at("search_for_rest").at("energy_before").get<double>());
+    CHECK(energy(jump) == Approx(energy(drag)).epsilon(1e-4));
+    for (const json& report : {jump, drag}) {
+        CHECK(report.at("status") == "converged");
+        CHECK(report.at("max_dL") < 1e-9);
+        CHECK(report.at("max_handle_error") == 0);
+    }
+    CHECK_FALSE(box.run("solve " + edit).json().contains("search_for_rest"));
+    check_refused(box.run("solve " + edit + "--method projection --search-rest"), "brings no net to rest");
+}
+
 TEST_CASE("options reach the solver, by short names too") {
     const Sandbox box;
     box.write("pull.json", pull_edit(0.2).dump());

@@ -93,6 +93,8 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
   ];
   const surface = whole ? core.ownSurface('hypar') : null!;
   const torn = core.openRecipe('vault:vertices=300');
+  const unrested = core.openRecipe('vault:vertices=300');
+  if (whole) unrested.setMethod('projection');
   torn.setHandles([0, 1].map((vertex) => ({ vertex, target: [9 * vertex, 0, 0] })));
   let inTurn = false;
   let turn = 0;
@@ -106,6 +108,7 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
     flipped: () => editor.flipped(),
     lengthAdapter: () => editor.lengthAdapter([{ vertex: 999_999, target: [0, 0, 0] }]),
     accept: () => torn.lengthAdapter().accept(),
+    restSearch: () => unrested.restSearch(),
     moveHandle: () => editor.moveHandle(999_999, [0, 0, 0]),
     dragHandle: () => editor.dragHandle(999_999, [0, 0, 0]),
     setState: () => editor.setState({ ...editor.state(), ...spoilt[turn++ % spoilt.length] }),
@@ -194,6 +197,7 @@ const WHOLE = {
   flipped: ['bad_option'],
   lengthAdapter: ['index_out_of_range'],
   accept: ['bad_option'],
+  restSearch: ['bad_option'],
   toFile: ['bad_option'],
   readMesh: ['bad_syntax'],
   repairMesh: ['index_out_of_range'],

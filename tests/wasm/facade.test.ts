@@ -350,10 +350,11 @@ describe('errors', () => {
     adapter.dispose();
     adapter.dispose();
     const other = editor.lengthAdapter();
+    const search = editor.restSearch();
     editor.dispose();
     editor.dispose();
-    const ofAdapters = [() => adapter.solve(), () => adapter.accept(), () => other.accept()];
-    for (const action of [...ofAdapters, () => editor.positions(), () => editor.solve(), () => editor.method]) {
+    const ofSearches = [() => adapter.solve(), () => adapter.accept(), () => other.accept(), () => search.accept()];
+    for (const action of [...ofSearches, () => editor.positions(), () => editor.solve(), () => editor.method]) {
       expect(failure(action).code).toBe('disposed');
       expect(failure(action).message).toMatch(/disposed/);
     }
