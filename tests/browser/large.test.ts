@@ -151,6 +151,20 @@ test('a solve that would take minutes shows how it goes and can be cancelled, al
   }
 });
 
+test('a shape that becomes too large to be at rest while it is dragged says so beside the slider', async () => {
+  const { page } = visit;
+  await script.open({ recipe: 'vault:vertices=12000' });
+  const said = page.getByText('With more than 12,000 vertices the net keeps its lengths alone');
+  const slider = page.getByRole('slider', { name: 'Vertices' });
+  await slider.focus();
+  expect(await said.count()).toBe(0);
+  await page.keyboard.press('ArrowRight');
+  await said.waitFor();
+  await slider.focus();
+  for (let i = 0; i < 4; i++) await page.keyboard.press('ArrowLeft');
+  await expect.poll(() => said.count()).toBe(0);
+});
+
 test('a million triangles are read in steps that are shown, can be given up, and open as what they are', async () => {
   const { page } = visit;
   const before = await script.stats();

@@ -16,6 +16,9 @@ export const panels = {
     /** What it is. */
     about: ({ sentence }: ShapeInfo) => sentence,
     aboutParameter: (_shape: string, { sentence }: ShapeParameter) => sentence,
+    /** `most`: vertices. */
+    keepsLengths: (most: string) =>
+      `With more than ${most} vertices the net keeps its lengths alone: it does not come to rest while it is dragged, unless “Behaviour” says so.`,
   },
   appearance: {
     colourBy: 'Colour by',

@@ -239,6 +239,7 @@ export const panels: Widened<typeof en> = {
   shape: {
     about: ({ name, sentence }: ShapeInfo) => SHAPES[name]?.sentence ?? sentence,
     aboutParameter: (shape: string, { name, sentence }: ShapeParameter) => SHAPES[shape]?.parameters[name] ?? sentence,
+    keepsLengths: (most) => `超过 ${most} 个顶点的网只保持边长，拖动时不会归于静止；可在“材性”中另选。`,
   },
   appearance: {
     colourBy: '着色依据',
