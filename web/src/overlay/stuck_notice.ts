@@ -139,7 +139,7 @@ export class StuckNotice implements Panel {
   }
 
   #place(): void {
-    if (this.#isShown) placeClear(this.element, this.#handles, this.#events);
+    if (this.#isShown) placeClear(this.element, this.#handles, this.#choice?.selection ?? [], this.#events);
   }
 
   /** The cells to blame, if the net did not come to a good shape. */
