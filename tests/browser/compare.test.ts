@@ -6,7 +6,7 @@ import { beforeEach, expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { dragBy, largestError } from './geometry';
 import type { Script, Visit } from './page';
-import { OUTPUT, allSections, drawn, openForResearch, visits } from './page';
+import { OUTPUT, allSections, drawn, openForResearch, room, visits } from './page';
 
 const SHAPE = 'vault:vertices=1000';
 const METHODS = ['li2022', 'projection', 'composite_majorization', 'local_global'];
@@ -218,6 +218,33 @@ test.each([
     const box = await visit.page.locator(part).first().boundingBox();
     if (box) expect(box.y + box.height, part).toBeLessThanOrEqual(top);
   }
+});
+
+test.each([
+  [390, 844],
+  [683, 384],
+  [740, 360],
+  [844, 390],
+  [1280, 500],
+])('at %i by %i the net is seen beside it and open controls', async (width, height) => {
+  const { page } = visit;
+  await page.setViewportSize({ width, height });
+  await edit(SHAPE);
+  const fold = page.getByRole('button', { name: 'Controls', exact: true });
+  if (await fold.isVisible()) await fold.click();
+  await compare();
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
+  if (await fold.isVisible()) await fold.click();
+  await drawn(page);
+  await page.screenshot({ path: join(OUTPUT, `compare-beside-controls-${width}.png`) });
+  expect((await page.locator('#view').boundingBox())!.height).toBeGreaterThan(80);
+  expect(await room(page)).toBeGreaterThan(0);
+  const tall = await page.evaluate(() => {
+    const { vertices } = window.chebnet.stats();
+    const heights = Array.from({ length: vertices }, (_, vertex) => window.chebnet.screenPosition(vertex).y);
+    return Math.max(...heights) - Math.min(...heights);
+  });
+  expect(tall).toBeGreaterThan(40);
 });
 
 test('what plots is loaded when a plot is seen; if it cannot be, that is said in its place, and the net goes on', async () => {

@@ -114,7 +114,7 @@ test('on its way it can be given up for the net of before; a drag moves it, Esca
   expect((await script.stats()).status).toBe('converged');
 }, 300_000); // each picture takes a software renderer a second or more
 
-test('a solve that would take minutes shows how it goes and can be cancelled', async () => {
+test('a solve that would take minutes shows how it goes and can be cancelled, also beside its status and by Escape', async () => {
   const { page } = visit;
   const recipe = 'vault:vertices=20000';
   const { dragged: vertex, meanLength: length } = whatIs(recipe);
@@ -130,13 +130,39 @@ test('a solve that would take minutes shows how it goes and can be cancelled', a
     }),
   );
   const [x, y, z] = await placeOf(vertex);
-  await script.move(vertex, [x, y, z - 20 * length]);
-  await expect.poll(async () => (await script.stats()).iterations, { timeout: 30_000 }).toBeGreaterThan(1);
-  await page.getByText('Solving', { exact: true }).waitFor();
-  await page.getByRole('button', { name: 'Cancel', exact: true }).click();
-  await script.settled();
-  expect((await script.stats()).status).toBe('running');
-  await page.locator('.status-words', { hasText: 'Paused' }).waitFor();
+  const stop = page.locator('.status').getByRole('button', { name: 'Stop', exact: true });
+  const ways = [
+    () => page.getByRole('button', { name: 'Cancel', exact: true }).click(),
+    () => stop.click(),
+    async () => {
+      await stop.waitFor();
+      await page.keyboard.press('Escape');
+    },
+  ];
+  for (const [i, end] of ways.entries()) {
+    expect(await stop.isVisible()).toBe(false);
+    await script.move(vertex, [x, y, z - (20 + i) * length]);
+    await expect.poll(async () => (await script.stats()).iterations, { timeout: 30_000 }).toBeGreaterThan(1);
+    await page.getByText('Solving', { exact: true }).waitFor();
+    await end();
+    await script.settled();
+    expect((await script.stats()).status).toBe('running');
+    await page.locator('.status-words', { hasText: 'Paused' }).waitFor();
+  }
+});
+
+test('a shape that becomes too large to be at rest while it is dragged says so beside the slider', async () => {
+  const { page } = visit;
+  await script.open({ recipe: 'vault:vertices=12000' });
+  const said = page.getByText('With more than 12,000 vertices the net keeps its lengths alone');
+  const slider = page.getByRole('slider', { name: 'Vertices' });
+  await slider.focus();
+  expect(await said.count()).toBe(0);
+  await page.keyboard.press('ArrowRight');
+  await said.waitFor();
+  await slider.focus();
+  for (let i = 0; i < 4; i++) await page.keyboard.press('ArrowLeft');
+  await expect.poll(() => said.count()).toBe(0);
 });
 
 test('a million triangles are read in steps that are shown, can be given up, and open as what they are', async () => {

@@ -380,6 +380,41 @@ test('what is said of a net that is stuck makes way for a handle that is touched
   expect(await overlaps(page, ['.stuck-notice', '.selection-bar'])).toEqual([]);
 });
 
+test.each([
+  [390, 844],
+  [360, 740],
+])(
+  'at %i by %i what is said of a net that is stuck leaves the arrows of what is selected free',
+  async (width, height) => {
+    const { page, script } = await share({ viewport: { width, height }, hasTouch: true, isMobile: true });
+    for (const [across, down] of [
+      [80, -150],
+      [0, -250],
+    ] as const) {
+      await script.open({ recipe: 'dome:vertices=500,reach=55' });
+      await script.settled();
+      await drawn(page);
+      const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+      const { x, y } = await script.screenPosition(vertex);
+      await page.touchscreen.tap(x, y);
+      await page.locator('.selection-bar').waitFor();
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.mouse.move(x + across, y + down, { steps: 10 });
+      await page.mouse.up();
+      await script.settled();
+      const message = page.locator('.stuck-notice .message');
+      await message.waitFor();
+      await drawn(page);
+      await page.screenshot({ path: join(OUTPUT, `stuck-arrows-${width}-${across}.png`) });
+      const at = await script.screenPosition(vertex);
+      const box = (await message.boundingBox())!;
+      const arrow = 0.14 * (await page.locator('#view').boundingBox())!.height;
+      expect(at.y - arrow > box.y + box.height || at.y + 12 < box.y, `${across}, ${down}`).toBe(true);
+    }
+  },
+);
+
 test('at 400 % tools and legend stay above the line of the solver, and its buttons can be pressed', async () => {
   const { page, script } = await share({ viewport: { width: 320, height: 256 } });
   await script.settled();

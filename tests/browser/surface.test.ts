@@ -420,6 +420,29 @@ test.each([
   }
 });
 
+test.each([
+  [1280, 800],
+  [1366, 768],
+])('at %i by %i what the results are of stands in one line each', async (width, height) => {
+  await visit.page.setViewportSize({ width, height });
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  for (const surface of ['Free-form shell', 'Pebble']) {
+    await draper().getByRole('combobox', { name: 'Surface' }).selectOption(surface);
+    await measured();
+    await visit.page.screenshot({ path: join(OUTPUT, `surface-results-${width}-${surface}.png`) });
+    const broken = await draper()
+      .locator('.results dt')
+      .evaluateAll((all) =>
+        all.flatMap((name) => {
+          const range = document.createRange();
+          range.selectNodeContents(name);
+          return range.getClientRects().length > 1 ? [name.textContent] : [];
+        }),
+      );
+    expect(broken).toEqual([]);
+  }
+});
+
 test('its picture has the pixels of the screen it comes to, and keeps nothing of the graphics card once it is closed', async () => {
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();
   await measured();

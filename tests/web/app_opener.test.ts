@@ -232,6 +232,33 @@ test('undo while a net is being opened does nothing if that fails', async () => 
   expect([recipeNow(), state.history.present]).toEqual(['vault', 1]);
 });
 
+test('a net that is asked for while undo waits for another one is what is open in the end', async () => {
+  for (const recipe of ['dome', 'vault']) await open(recipe);
+  const answer = async () => {
+    asked.at(-1)!.answer();
+    await vi.runAllTimersAsync();
+  };
+  // The first step is on its way to the dome, the second waits for that.
+  for (const _ of [1, 2]) void opener.goBy(-1);
+  await vi.runAllTimersAsync();
+  void opener.openScene(sceneOf('link'));
+  asked.at(-2)!.answer();
+  await answer();
+  expect([recipeNow(), asked.length]).toEqual(['link', 4]);
+  void opener.openScene(sceneOf('tube'));
+  void opener.goBy(-1);
+  const now = state.snapshot()!;
+  const { view } = state.opening!.document;
+  void opener.openProject({
+    entries: [{ name: ['newNet'], state: { ...now, net: { recipe: 'project' } } }],
+    present: 0,
+    view,
+  });
+  asked.at(-2)!.answer();
+  await answer();
+  expect([recipeNow(), asked.length]).toEqual(['project', 6]);
+});
+
 test('the first net begins the history, another is an entry to go back from', async () => {
   await open('dome');
   expect(state.history.canUndo).toBe(false);

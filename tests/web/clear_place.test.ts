@@ -26,34 +26,47 @@ let buttons: ReturnType<typeof button>[];
 beforeEach(() => {
   delete dataset['place'];
   buttons = [];
-  vi.stubGlobal('document', { querySelectorAll: () => buttons });
+  vi.stubGlobal('document', { querySelectorAll: () => buttons, querySelector: () => ({ clientHeight: 100 }) });
 });
 afterEach(() => vi.unstubAllGlobals());
 
-/** @param places of handles, from the left. */
-function place(...places: number[]) {
-  const screenPositions = vi.fn((vertices: readonly number[]) => vertices.map((vertex) => ({ x: vertex, y: 90 })));
+/** @param places of handles, from the left, `height` pixels down from the top. */
+function place(places: number[], height = 90, selection: number[] = []) {
+  const screenPositions = vi.fn((vertices: readonly number[]) => vertices.map((vertex) => ({ x: vertex, y: height })));
   const handles = places.map((vertex): HandleData => ({ vertex, target: [0, 0, 0], anchor: false }));
-  placeClear(notice, handles, { screenPositions });
+  placeClear(notice, handles, selection, { screenPositions });
   return screenPositions;
 }
 
 test('a notice goes where no handle is, and asks once where all of them are', () => {
-  expect(place(50, 10)).toHaveBeenCalledOnce();
+  const asked = place([50, 10]);
+  expect(asked.mock.calls.filter(([vertices]) => vertices.length > 0)).toHaveLength(1);
   expect(dataset['place']).toBe('end');
+});
+
+test('a notice leaves the arrow free that points up from what is selected', () => {
+  place([30, 70], 114);
+  expect(dataset['place']).toBe('middle');
+  place([30, 70], 114, [30, 70]);
+  expect(dataset['place']).toBe('start');
+  // Also where it covers something else instead.
+  dataset['place'] = 'middle';
+  buttons = [button(0, 20), button(80, 100)];
+  place([30, 70], 114, [30, 70]);
+  expect(dataset['place']).toBe('start');
 });
 
 test('a notice goes where no button is that is seen, and stays there', () => {
   buttons = [button(30, 70), button(0, 20, false)];
-  place();
+  place([]);
   expect(dataset['place']).toBe('start');
   buttons = [];
-  place();
+  place([]);
   expect(dataset['place']).toBe('start');
 });
 
 test('where something is everywhere, a notice covers the least', () => {
   buttons = [button(0, 5), button(10, 15), button(45, 100)];
-  place(50);
+  place([50]);
   expect(dataset['place']).toBe('end');
 });

@@ -68,6 +68,46 @@ test('a notch in its border is none of them', () => {
   expect(vertices).not.toContain(inner);
 });
 
+describe('a cell that sticks out of the border is left alone', () => {
+  /** Unit squares, by column and row. */
+  const squares = (size: number, isKept: (column: number, row: number) => boolean): OpenedNet => {
+    const { restPositions, faceStart, faceVertices } = grid(size + 1, size + 1);
+    const kept = [...faceStart.keys()].slice(0, -1).filter((face) => isKept(face % size, Math.floor(face / size)));
+    const corners = kept.flatMap((face) => [...faceVertices.subarray(faceStart[face], faceStart[face + 1])]);
+    const used = [...new Set(corners)].sort((a, b) => a - b);
+    return mesh({
+      positions: Float64Array.from(used.flatMap((vertex) => [...restPositions.subarray(3 * vertex, 3 * vertex + 3)])),
+      faceStart: Int32Array.from({ length: kept.length + 1 }, (_, i) => 4 * i),
+      faceVertices: Int32Array.from(corners, (vertex) => used.indexOf(vertex)),
+    });
+  };
+  const places = (net: OpenedNet) =>
+    proposedHandles(net).map(({ vertex }) => [...net.restPositions.subarray(3 * vertex, 3 * vertex + 2)]);
+
+  test('at a corner', () => {
+    const net = squares(21, (column, row) => row < 20 || column === 0);
+    expect(places(net).sort(([a = 0, b = 0], [c = 0, d = 0]) => a - c || b - d)).toEqual([
+      [0, 0],
+      [0, 20],
+      [21, 0],
+      [21, 20],
+    ]);
+  });
+
+  test('on a round border', () => {
+    const isInside = (column: number, row: number) => Math.hypot(column - 15, row - 15) < 12.5;
+    const net = squares(31, (column, row) => isInside(column, row) || (column === 28 && row === 15));
+    const found = places(net);
+    expect(found).toHaveLength(4);
+    expect(Math.max(...found.map(([x = 0]) => x))).toBeLessThanOrEqual(28);
+  });
+
+  test('but not the end of a strip of one cell', () => {
+    const net = squares(21, (_, row) => row === 0);
+    expect(places(net).map(([x]) => x)).toEqual(expect.arrayContaining([0, 21]));
+  });
+});
+
 test.each([
   ['', 0],
   [' around an opening in its middle', 0.4],

@@ -20,7 +20,13 @@ export const PAGE_KEYS: readonly PageKey[] = [
   {
     keys: ['Esc'],
     does: 'deselect',
-    run: (app) => (app.canCancelOpening ? app.cancelOpening() : app.handles.escape()),
+    run: (app) => {
+      // It is there while a solve takes long.
+      const stop = document.querySelector<HTMLElement>('.stop:not([hidden])');
+      if (app.canCancelOpening) app.cancelOpening();
+      else if (stop) stop.click();
+      else app.handles.escape();
+    },
   },
   { keys: ['Delete', 'Backspace'], does: 'remove', run: (app) => app.handles.removeSelected() },
   { keys: ['P'], does: 'patch', run: (app) => app.handles.around((surroundings) => surroundings.takePatch()) },

@@ -16,8 +16,6 @@ import type {
   ViewState,
 } from '../document/document';
 import { asMade, weighed } from '../document/defaults';
-import { longestMove } from '../document/longest_move';
-import { sharpFolds } from '../net/fold';
 import type { ChangeName } from '../document/naming';
 import type { Project } from '../document/project';
 import type { HistoryView, Snapshot } from '../document/undo';
@@ -61,6 +59,8 @@ export type AppServices = Pick<
   | 'showKeys'
   | 'showLesson'
 >;
+
+const flipper = lazy(() => import('./flip'));
 
 type Listener = (error?: unknown) => void;
 /** `changed`: anything in the document; `opening`: a net is about to be opened; `restarted`: the worker was lost. */
@@ -150,7 +150,7 @@ export class App {
     return !this.#opener.isOpening && !this.#state.history.inGesture && !this.#client.changing;
   }
 
-  /** The net is being made anew elsewhere: until it is there, nothing is settled. */
+  /** The net is being made anew, or brought to another shape: until it is there, nothing is settled. */
   awaitNet<T>(making: Promise<T>): Promise<T> {
     // Not this one alone: it may be refused at once, because another is under way.
     this.#making = Promise.allSettled([this.#making, making]).then(() => {});
@@ -389,24 +389,17 @@ export class App {
   /** Pushes the net through between its handles, to look for its other equilibrium. Where it comes to no rest, or to a crumpled
    *  one, it goes back. How far the vertex that moves most has come once the net has settled, in edge lengths; null: something
    *  else is done by then. */
-  async flip(): Promise<number | null> {
-    this.#before();
-    const positions = await this.#client.flipped();
-    const before = this.#before();
-    const opening = this.opening;
-    if (opening === null || this.#state.history.inGesture) return null;
-    const from = opening.frame.positions.slice();
-    this.#state.history.record(before, ['flip']);
-    const { revision } = this.history;
-    await this.#restoreFrom(before, { ...before, positions, settled: false });
-    await this.settled();
-    const frame = this.opening?.frame;
-    if (!frame || !this.isQuiet || this.history.revision !== revision) return null;
-    const rests = ['converged', 'exact'].includes(frame.status);
-    if (rests && sharpFolds(opening.net, frame.positions) <= sharpFolds(opening.net, from))
-      return longestMove(from, frame.positions) / opening.net.info.meanLength;
-    if (this.#state.history.takeBack(before)) await this.#opener.restore(before);
-    return 0;
+  flip(): Promise<number | null> {
+    const flipping = flipper().then(({ flip }) =>
+      flip(this.#client, this.#state, {
+        before: () => this.#before(),
+        restoreFrom: (before, after) => this.#restoreFrom(before, after),
+        restore: (snapshot) => this.#opener.restore(snapshot),
+        isQuiet: () => this.isQuiet,
+      }),
+    );
+    // Until it stays or has gone back, nothing is settled.
+    return this.awaitNet(flipping);
   }
 
   /** One iteration, then stop. */

@@ -50,7 +50,7 @@ export class Opener {
   /** Of nets that have been left, here or by whoever made the project. */
   readonly #seen = new WeakMap<NetSource, NetView>();
   readonly #underWay = new Set<Request>();
-  /** Steps through the history that wait until a net is there. */
+  /** Steps through the history that wait until a net is there, unless another is asked for meanwhile. */
   #waiting: (() => void)[] = [];
   /** A state to which the present net has gone back while another one was being opened: the solver is told of it if that fails. */
   #untold: Restored | null = null;
@@ -81,6 +81,7 @@ export class Opener {
     scene: Scene,
     { name, key }: NamedChange = { name: ['open', netTitle(scene.net)], key: null },
   ): Promise<void> {
+    this.#waiting = []; // they would take this net back
     const wasSettled = this.#state.isSettled; // once the answer is here, the solver is at work on the next net
     const arrival = await this.#request(scene);
     this.#events.leaving();
@@ -93,6 +94,7 @@ export class Opener {
 
   /** Opens a project with its history in place of the present one. If it fails, the present one stays. */
   async openProject({ entries, present, view }: Project): Promise<void> {
+    this.#waiting = [];
     await this.#reopen({ ...entries[present]!.state, view }, () => {
       for (const { state, upAxis } of entries)
         if (upAxis) this.#seen.set(state.net, { camera: null, ...turned(upAxis) });

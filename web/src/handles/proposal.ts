@@ -29,8 +29,11 @@ const [ALONE_BEYOND, ALONE_TURN] = [0.4, 105];
 
 /** The last one is free, on the largest piece. */
 export function proposedHandles(net: OpenedNet): HandleSeed[] {
+  const tips = tipsOfTeeth(net);
   const largest = piecesOf(net).slice(0, MOST_PIECES).reverse();
-  const onPieces = largest.map((piece) => ({ piece, vertices: verticesOn(net, piece) }));
+  const onPieces = largest
+    .map((all) => all.filter((vertex) => !tips.has(vertex)))
+    .map((piece) => ({ piece, vertices: verticesOn(net, piece) }));
   const all = onPieces.flatMap(({ vertices }) => vertices);
   return onPieces.flatMap(({ piece, vertices }) => (vertices.length > 0 ? lastFree(net, piece, vertices, all) : []));
 }
@@ -48,20 +51,41 @@ function piecesOf(net: OpenedNet): number[][] {
   return pieces.sort((a, b) => b.length - a.length);
 }
 
+/** Of single cells that stick out of a border, which would leave the rest of the net behind: their two outer corners. A net line
+ *  goes on at one foot of them at least, as it does not at the end of a strip of one cell. */
+function tipsOfTeeth({ info, faceStart, faceVertices }: OpenedNet): Set<number> {
+  const facesAt = new Int32Array(info.vertices);
+  for (const vertex of faceVertices) facesAt[vertex]! += 1;
+  const tips = new Set<number>();
+  for (let face = 0; face + 1 < faceStart.length; face++) {
+    const corners = [...faceVertices.subarray(faceStart[face], faceStart[face + 1])];
+    const [outer, feet] = [corners.filter((each) => facesAt[each] === 1), corners.filter((each) => facesAt[each]! > 1)];
+    if (outer.length !== 2 || feet.length !== 2 || feet.every((foot) => facesAt[foot] === 2)) continue;
+    for (const tip of outer) tips.add(tip);
+  }
+  return tips;
+}
+
 /** The farthest from the middle the last. */
 function verticesOn(net: OpenedNet, piece: readonly number[]): number[] {
-  const loops = loopsOf(net, new Set(piece));
+  const inPiece = new Set(piece);
+  const loops = loopsOf(net, inPiece);
   const [loop, ...holes] = loops;
   const middle = middleOf(net, piece);
   // Around a hole in its middle all ways begin at its rim: from one side of it the other would be the farthest out.
-  const away = distancesAround(net, holes.find((hole) => hole.includes(middle)) ?? [middle], Infinity);
+  const away = awayFrom(net, holes.find((hole) => hole.includes(middle)) ?? [middle], inPiece);
   const corners = loop ? cornersOf(net, loop).filter((vertex) => pointsOut(net, loop, vertex, away)) : [];
   const peaks = loop ? onePerPlace(net, outwards(peaksOf(loop, away), away)) : [];
   const ofBorder = [corners, peaks].find(({ length }) => length >= FEWEST && length <= MOST);
   const vertices = ofBorder
     ? joinedOnBorder(net, ofBorder, loops.flat(), ALONE_BEYOND * sizeOf(net, piece))
-    : farthestOut(net, away, loop ? WITH_BORDER : CLOSED);
+    : farthestOut(net, away, inPiece, loop ? WITH_BORDER : CLOSED);
   return outwards(vertices, away);
+}
+
+/** How far from these the vertices of a piece are. */
+function awayFrom(net: OpenedNet, origins: readonly number[], piece: ReadonlySet<number>): Map<number, Away> {
+  return new Map([...distancesAround(net, origins, Infinity)].filter(([vertex]) => piece.has(vertex)));
 }
 
 /** The farthest the last. */
@@ -164,19 +188,24 @@ function comesBack(distances: readonly number[], at: number, step: number): numb
 /** The longest first. */
 function loopsOf(net: OpenedNet, piece: ReadonlySet<number>): number[][] {
   return listsOf({ start: net.loopStart, vertices: net.loopVertices })
-    .filter(([vertex = -1]) => piece.has(vertex))
-    .map((loop) => [...loop])
+    .map((loop) => [...loop].filter((vertex) => piece.has(vertex)))
+    .filter(({ length }) => length > 0)
     .sort((a, b) => lengthOf(net, b) - lengthOf(net, a));
 }
 
 /** The farthest from the middle, then each time the one farthest from those found. */
-function farthestOut(net: OpenedNet, away: ReadonlyMap<number, Away>, most: number): number[] {
+function farthestOut(
+  net: OpenedNet,
+  away: ReadonlyMap<number, Away>,
+  piece: ReadonlySet<number>,
+  most: number,
+): number[] {
   let [vertex, distance] = farthest(away);
   const least = LEAST_APART * distance;
   const found: number[] = [];
   while (found.length < most && distance > least) {
     found.push(vertex);
-    [vertex, distance] = farthest(distancesAround(net, found, Infinity));
+    [vertex, distance] = farthest(awayFrom(net, found, piece));
   }
   return found;
 }

@@ -1,30 +1,38 @@
-/** Where what lies over the picture covers no handle, and nothing that can be pressed. */
+/** Where what lies over the picture covers no handle, none of the arrows at what is selected, and nothing that can be pressed. */
 import type { HandleData } from '../document/document';
+import type { Selection } from '../handles/selection';
 import type { PanelEvents } from '../panels';
 
 /** At the lower edge of the picture, or at its top; what they are is in messages.css. The first is the usual one. */
 const PLACES = ['middle', 'start', 'end', 'top', 'top-end'];
 /** A handle is drawn as large as that, in pixels. */
 const HANDLE_RADIUS = 12;
+/** The arrow that points up from what is selected, of the height of the picture: see view/gizmo.ts. */
+const ARROW = 0.15;
 /** The note on an experiment stands beside its own: its text is to be read, too. */
 const CONTROLS = '.over :is(button,input,summary,a,.experiment)';
 
+type Place = ReturnType<PanelEvents['screenPositions']>[number];
 type Box = Pick<DOMRect, 'left' | 'right' | 'top' | 'bottom'>;
 
 /** It stays where it is if nothing is there, and otherwise takes the place that covers the least. */
 export function placeClear(
   element: HTMLElement,
   handles: readonly HandleData[],
+  selection: Selection,
   { screenPositions }: Pick<PanelEvents, 'screenPositions'>,
 ): void {
   // Messages are placed together.
   const messages = element.parentElement ?? element;
   const handleBoxes = screenPositions(handles.map(({ vertex }) => vertex)).map(boxAround);
+  const arrows = arrowsAt(screenPositions(selection));
   const others = [...handleBoxes, ...controlsBeside(messages)];
   const coveredAt = (place: string): number => {
     element.dataset['place'] = place;
     const box = messages.getBoundingClientRect();
-    return others.filter((other) => areOverlapping(box, other)).length;
+    const countIn = (boxes: readonly Box[]): number => boxes.filter((other) => areOverlapping(box, other)).length;
+    // The arrows are about to be used, rather than any one handle.
+    return countIn(others) + 2 * countIn(arrows);
   };
   let best = element.dataset['place'] ?? PLACES[0]!;
   let fewest = coveredAt(best);
@@ -36,9 +44,19 @@ export function placeClear(
   element.dataset['place'] = best;
 }
 
-function boxAround({ x, y }: { x: number; y: number }): Box {
+function boxAround({ x, y }: Place): Box {
   const [left, right] = [x - HANDLE_RADIUS, x + HANDLE_RADIUS];
   return { left, right, top: y - HANDLE_RADIUS, bottom: y + HANDLE_RADIUS };
+}
+
+/** In the middle of what is selected, if anything is. */
+function arrowsAt(selected: readonly Place[]): Box[] {
+  if (selected.length === 0) return [];
+  const [x, y] = (['x', 'y'] as const).map(
+    (axis) => selected.reduce((sum, each) => sum + each[axis], 0) / selected.length,
+  );
+  const box = boxAround({ x: x!, y: y! });
+  return [{ ...box, top: y! - ARROW * document.querySelector('canvas')!.clientHeight }];
 }
 
 function controlsBeside(messages: HTMLElement): Box[] {

@@ -2,8 +2,9 @@
  *  hand was held back, or a net that is too large to be at rest while it is edited is creased. Why, and the ways out; it stays
  *  for as long as that is so, or until it is dismissed. Also what came of one of these ways: edges that have grown, for as long
  *  as they are so. */
-import { METHOD_AT_REST, usualMethod } from '../document/defaults';
+import { METHOD_AT_REST } from '../document/defaults';
 import type { ChebnetDocument, HandleData } from '../document/document';
+import { isTooLargeToRest } from '../document/too_large_to_rest';
 import type { HistoryView } from '../document/undo';
 import { make, makeButton, setText } from '../elements/dom';
 import { setHidden, showLine } from '../elements/leave';
@@ -138,7 +139,7 @@ export class StuckNotice implements Panel {
   }
 
   #place(): void {
-    if (this.#isShown) placeClear(this.element, this.#handles, this.#events);
+    if (this.#isShown) placeClear(this.element, this.#handles, this.#choice?.selection ?? [], this.#events);
   }
 
   /** The cells to blame, if the net did not come to a good shape. */
@@ -160,9 +161,7 @@ export class StuckNotice implements Panel {
 
   /** Whether it is for its size that the method keeps lengths alone. */
   get #isTooLargeToRest(): boolean {
-    if (this.#document === null) return false;
-    const { method, net } = this.#document;
-    return method !== METHOD_AT_REST && method === usualMethod(net);
+    return this.#document !== null && isTooLargeToRest(this.#document);
   }
 
   /** Of corners, in degrees, for the method that heeds one. */

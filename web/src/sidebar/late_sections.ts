@@ -28,6 +28,7 @@ import type { SidebarServices } from './sections';
 import { ShapeHints } from './shape_hints';
 import { SolverPanel } from './solver_panel';
 import { StepPanel } from './step_panel';
+import { StopButton } from './stop_button';
 import './late_sections.css';
 
 interface LateSections {
@@ -63,6 +64,8 @@ export function createLateSections(
   behaviour.append(rods.element);
   const mapEnds = new MapEnds(events);
   ends.append(mapEnds.element);
+  const stop = new StopButton(events);
+  document.querySelector('.status-words')!.after(stop.element);
   const usual = [
     new HandleList(events),
     drag,
@@ -96,6 +99,7 @@ export function createLateSections(
       solver,
       step,
       comparison,
+      stop,
       ...tools,
       ...notices,
     ],

@@ -16,6 +16,9 @@ export const panels = {
     /** What it is. */
     about: ({ sentence }: ShapeInfo) => sentence,
     aboutParameter: (_shape: string, { sentence }: ShapeParameter) => sentence,
+    /** `most`: vertices. */
+    keepsLengths: (most: string) =>
+      `With more than ${most} vertices the net keeps its lengths alone: it does not come to rest while it is dragged, unless “Behaviour” says so.`,
   },
   appearance: {
     colourBy: 'Colour by',
@@ -345,6 +348,8 @@ export const panels = {
     solve: 'Solve',
     solveHint: 'Iterate until the solve ends',
     cancel: 'Cancel',
+    stop: 'Stop',
+    stopHint: 'Leave the net where it is now (Esc)',
     reset: 'Reset to rest',
     undo: 'Undo',
     defaults: 'Back to defaults',
@@ -449,7 +454,7 @@ export const panels = {
       open: 'Open a file',
       selectAll: 'Select all handles',
       selecting: 'Select several: pick each, or draw around them',
-      deselect: 'End that, or select none',
+      deselect: 'End that, stop a long solve, or select none',
       remove: 'Remove the selected handles',
       patch: 'Take hold of the patch around the last selected handle',
       isolate: 'Show only what is around the selection, or the whole net again',

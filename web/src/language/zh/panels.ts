@@ -239,6 +239,7 @@ export const panels: Widened<typeof en> = {
   shape: {
     about: ({ name, sentence }: ShapeInfo) => SHAPES[name]?.sentence ?? sentence,
     aboutParameter: (shape: string, { name, sentence }: ShapeParameter) => SHAPES[shape]?.parameters[name] ?? sentence,
+    keepsLengths: (most) => `超过 ${most} 个顶点的网只保持边长，拖动时不会归于静止；可在“材性”中另选。`,
   },
   appearance: {
     colourBy: '着色依据',
@@ -537,6 +538,8 @@ export const panels: Widened<typeof en> = {
     solve: '求解',
     solveHint: '一直迭代，直到求解结束',
     cancel: '取消',
+    stop: '停止',
+    stopHint: '让网停在现在的位置（Esc）',
     reset: '恢复初始形状',
     undo: '撤销',
     defaults: '恢复默认值',
@@ -632,7 +635,7 @@ export const panels: Widened<typeof en> = {
       open: '打开文件',
       selectAll: '选中全部手柄',
       selecting: '选择多个手柄：逐个点击，或画线圈选',
-      deselect: '结束多选，或取消选择',
+      deselect: '结束多选、停止耗时的求解，或取消选择',
       remove: '删除选中的手柄',
       patch: '抓住最后选中的手柄周围的一片',
       isolate: '只显示选区周围的网，或恢复显示整张网',
