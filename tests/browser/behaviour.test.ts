@@ -477,6 +477,42 @@ test('a strip that has buckled is pushed through to the other side, and back by 
   expect(apart(await script.positions(), tube)).toBe(0);
 });
 
+test('a strip that stands as an arch against its weight is found to hang, once it is looked for; undo has the arch again', async () => {
+  const [long, wide] = [16, 4];
+  await script.open({ obj: strip(long, wide), name: 'strip.obj' });
+  const middle = Math.floor(long / 2);
+  const height = async () => (await script.position(middle))[2];
+  const ends = Array.from({ length: wide }, (_, j) => [j * long, j * long + long - 1]).flat();
+  const pressed = ends.map((vertex) => ({
+    vertex,
+    target: [vertex % long === 0 ? 1 : long - 2, Math.floor(vertex / long), 0] as [number, number, number],
+  }));
+  await visit.page.evaluate(() => window.chebnet.setOptions({ gravity: 1e-4 }));
+  await script.setHandles([...pressed, { vertex: middle, target: [middle, 0, 2] }]);
+  await script.settled();
+  await script.setHandles(pressed);
+  await script.settled();
+  const arch = await script.positions();
+  expect(await height()).toBeGreaterThan(1);
+
+  const dragging = visit.page.locator('details', { hasText: 'Relax further' });
+  const relax = dragging.getByRole('button', { name: 'Relax further' });
+  if (!(await relax.isVisible())) await dragging.locator('summary').click();
+  await relax.click();
+  await dragging.getByText(/^Found: [\d.]+ % less strained/).waitFor();
+  await script.settled();
+  expect(await height()).toBeLessThan(-1);
+  // From there no less is found.
+  await relax.click();
+  await dragging.getByText('No shape at rest that is less strained').waitFor();
+  await script.settled();
+  expect(await height()).toBeLessThan(-1);
+
+  await visit.page.keyboard.press('Control+z');
+  await script.settled();
+  expect(apart(await script.positions(), arch)).toBeLessThan(1e-6);
+});
+
 test('the solver has the settings that its method reads, and no others', async () => {
   const { page } = visit;
   await openForResearch(page, 'Solver');

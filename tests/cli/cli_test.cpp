@@ -379,7 +379,7 @@ TEST_CASE("edges grow as little as handles beyond reach ask for, or by the scale
     check_refused(box.run("solve " + edit + "--length-scale 5"), "length_scale");
 }
 
-TEST_CASE("--search-rest ends at the same net whether handles jump or are dragged") {
+TEST_CASE("A search for rest ends at the same net whether handles jump or are dragged") {
     const Sandbox box;
     // Two opposite corners come nearer to each other, and a vertex near the middle goes down between them.
     const json handles{{{"vertex", 0}, {"target", {-5, -5, 0}}},

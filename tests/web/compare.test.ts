@@ -9,6 +9,7 @@ import { freshScene } from '../../web/src/document/defaults';
 import type { View, ViewEvents } from '../../web/src/view/view';
 import type { WorkerLike } from '../../web/src/worker/client';
 import type { FrameData, OpenedNet, Request, Response } from '../../web/src/worker/protocol';
+import { Search } from '../../web/src/worker/search';
 import { Server } from '../../web/src/worker/server';
 import { load } from '../wasm/load';
 
@@ -39,7 +40,7 @@ class FakeWorker implements WorkerLike {
     post: (response) => this.#later(() => this.onmessage?.({ data: response } as MessageEvent<Response>)),
     soon: (task) => this.#later(task),
     now: () => performance.now(),
-    wholeCore: () => Promise.resolve(core),
+    wholeCore: () => Promise.resolve({ core, Search }),
   });
 
   postMessage(request: Request): void {

@@ -304,6 +304,7 @@ export const CHANGES: Record<Sentence, ChangeName[]> = {
   guide: [['guide', 'hypar']],
   noGuide: [['noGuide']],
   flip: [['flip']],
+  relax: [['relax']],
   refine: [['refine']],
   coarsen: [['coarsen']],
   cut: [['cut']],

@@ -6,6 +6,7 @@ import type { AppParts, AppServices } from '../../web/src/app/app';
 import type { PanelEvents } from '../../web/src/panels';
 import type { WorkerLike } from '../../web/src/worker/client';
 import type { Request, Response } from '../../web/src/worker/protocol';
+import { Search } from '../../web/src/worker/search';
 import { Server } from '../../web/src/worker/server';
 
 export interface Page {
@@ -69,7 +70,12 @@ class WorkerHere implements WorkerLike {
       queueMicrotask(() => this.onmessage?.({ data } as MessageEvent<Response>));
     };
     const soon = (task: () => void) => tasks.push(() => void (this.#isEnded || task()));
-    this.#server = new Server(core, { post, soon, now: () => 0, wholeCore: () => Promise.resolve(whole) });
+    this.#server = new Server(core, {
+      post,
+      soon,
+      now: () => 0,
+      wholeCore: () => Promise.resolve({ core: whole, Search }),
+    });
   }
 
   postMessage(request: Request): void {

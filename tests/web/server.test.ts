@@ -8,6 +8,7 @@ import { packPositions } from '../../web/src/document/packing';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { PROTOCOL_VERSION } from '../../web/src/worker/protocol';
 import type { FrameData, Request, Response } from '../../web/src/worker/protocol';
+import { Search } from '../../web/src/worker/search';
 import { Server } from '../../web/src/worker/server';
 import { largestDistance, load } from '../wasm/load';
 
@@ -27,7 +28,13 @@ let said: Response[];
 let tasks: (() => void)[];
 let time: number;
 let lastId: number;
-const host = { soon: (task: () => void) => tasks.push(task), now: () => time, wholeCore: () => Promise.resolve(core) };
+/** Searches come with it, in the next task. */
+const wholeCoreIsThere = () => new Promise((next) => setTimeout(next));
+const host = {
+  soon: (task: () => void) => tasks.push(task),
+  now: () => time,
+  wholeCore: () => Promise.resolve({ core, Search }),
+};
 
 beforeEach(() => {
   said = [];
@@ -251,41 +258,59 @@ describe('a drag', () => {
     expect(at(positions, dragged)[2]).toBeLessThan(z + 50);
   });
 
-  test('beyond reach, then all edges grow until the handle stands where the hand was', () => {
+  test('beyond reach, then all edges grow until the handle stands where the hand was', async () => {
     const [x, y, z] = home;
     const far: [number, number, number] = [x, y, z + 8];
     ask({ type: 'drag', inHand: true, targets: [{ vertex: dragged, target: far }] });
     ask({ type: 'release' });
     run();
     expect(settled().frame).toMatchObject({ holdsBack: false, fellShort: true });
-    const id = ask({ type: 'adapt' });
+    const id = ask({ type: 'search', what: 'lengths' });
+    await wholeCoreIsThere();
     run();
-    const adapted = said.find((response) => response.type === 'adapted');
+    const adapted = said.find((response) => response.type === 'searched');
     expect(adapted).toMatchObject({ id });
-    expect(adapted?.type === 'adapted' && adapted.scale).toBeGreaterThan(1.01);
+    expect(adapted?.type === 'searched' && adapted.found).toBeGreaterThan(1.01);
     expect(settled()).toMatchObject({ id, frame: { fellShort: false } });
     expect(at(settled().frame.positions, dragged)).toEqual(far);
     expect(settled().frame.maxDeviation).toBeLessThan(1e-9);
   });
 
-  test('a search for other lengths ends when the net is touched', () => {
+  test('a search for another rest that finds none leaves the net as it is, and tells how far it has come', async () => {
+    ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
+    run();
+    const before = settled().frame.positions.slice();
+    const id = ask({ type: 'search', what: 'rest' });
+    await wholeCoreIsThere();
+    run();
+    expect(said.find((response) => response.type === 'searched')).toMatchObject({ id, found: null });
+    expect(settled()).toMatchObject({ id, frame: { status: 'converged' } });
+    const moved = settled().frame.positions.map((x, i) => Math.abs(x - before[i]!));
+    expect(Math.max(...moved)).toBeLessThan(1e-5);
+    const told = said.flatMap((response) => (response.type === 'searching' ? [response.progress] : []));
+    expect(told.every((done, k) => done >= (told[k - 1] ?? 0) && done <= 1)).toBe(true);
+  });
+
+  test('a search for other lengths ends when the net is touched', async () => {
     const [x, y, z] = home;
     ask({ type: 'drag', inHand: true, targets: [{ vertex: dragged, target: [x, y, z + 8] }] });
     ask({ type: 'release' });
     run();
-    const id = ask({ type: 'adapt' });
+    const id = ask({ type: 'search', what: 'lengths' });
     ask({ type: 'cancel' });
+    await wholeCoreIsThere();
     run();
     expect(said.find((response) => response.id === id)).toMatchObject({ type: 'error', code: 'cancelled' });
     expect(settled().frame).toMatchObject({ fellShort: true });
   });
 
-  test('a search for other lengths that is ended in vain lets the solve go on that it interrupted', () => {
+  test('a search for other lengths that is ended in vain lets the solve go on that it interrupted', async () => {
     ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
     run(1, 1);
     const before = frames('settled').length;
-    ask({ type: 'adapt' });
+    ask({ type: 'search', what: 'lengths' });
     ask({ type: 'open', scene: freshScene({ recipe: 'no such shape' }) });
+    await wholeCoreIsThere();
     run();
     expect(frames('settled').length).toBe(before + 1);
     expect(at(settled().frame.positions, dragged)).toEqual(away);

@@ -3,6 +3,8 @@ import { beforeEach, expect, test } from 'vitest';
 import type { Editors } from '../../wasm/chebnet';
 import { freshScene } from '../../web/src/document/defaults';
 import type { Request, Response } from '../../web/src/worker/protocol';
+import { Search } from '../../web/src/worker/search';
+import type { WholeCore } from '../../web/src/worker/whole_core';
 import { Server } from '../../web/src/worker/server';
 import { load, loadFirst } from '../wasm/load';
 
@@ -45,8 +47,8 @@ beforeEach(() => {
 function newServer(core: Editors): Server {
   const wholeCore = () => {
     wanted += 1;
-    return new Promise<Editors>((resolve, reject) => {
-      arrive = resolve;
+    return new Promise<WholeCore>((resolve, reject) => {
+      arrive = (core) => resolve({ core, Search });
       fail = reject;
     });
   };

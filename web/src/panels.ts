@@ -64,6 +64,8 @@ export interface PanelEvents {
   letGoOfGuide(): void;
   /** Look for the net's other equilibrium; see App.flip(). */
   flip(): Promise<number | null>;
+  /** Look for a net at rest with less energy; see App.searchRest(). undefined: nothing has come of it. */
+  searchRest(progress: (done: number) => void): Promise<number | null | undefined>;
   solve(): void;
   /** Let all of the net move with its handles, without a locality, and come to rest so at once. */
   moveWhole(): void;

@@ -14,6 +14,7 @@
 #include "edit/exact_change.h"
 #include "edit/flip.h"
 #include "edit/length_adapter.h"
+#include "edit/rest_search.h"
 #include "require.h"
 #include "soak/invariants.h"
 #include "soak/rest_judge.h"
@@ -158,6 +159,22 @@ private:
             require(pair.vertex_a != pair.vertex_b && pair.distance >= 0 && pair.reach >= 0, "an odd pair");
         for (const Ball& ball : m_editor.reach(any_vertex()))
             require(ball.centre.allFinite() && ball.radius >= 0, "an odd ball");
+        if (m_editor.method() == k_default_method) search_rest();
+    }
+
+    /// What is found has all that the net has; the editor stays as it is.
+    void search_rest() {
+        RestSearch search(m_editor);
+        const RestSearchReport report = search.solve({.iterations = 60});
+        note(std::string("  search: ") + to_string(report.status));
+        require(report.done >= 0 && report.done <= 1, "an odd part of a search is done");
+        if (report.status != Status::converged) return;
+        const EditState found = search.state();
+        require(report.energy < report.energy_before, "what is found has no less energy");
+        require(invariants::reckoned_deviation(m_editor.net(), found.positions) < 1e-6, "what is found is no net");
+        for (const Handle& handle : found.handles)
+            require(!handle.is_exact() || handle.holds_at(found.positions.col(handle.vertex)),
+                    "what is found leaves a handle");
     }
 
     /// To one of before, or the present one, with something changed. What it says is then the state.

@@ -402,6 +402,17 @@ export class App {
     return this.awaitNet(flipping);
   }
 
+  /** Looks for another net at rest, with less energy, by other ways to the same handles. The part of the energy that is gone then;
+   *  null if none has less, and nothing has changed. Fails as "cancelled" where the net is touched meanwhile. */
+  async searchRest(progress: (done: number) => void): Promise<number | null> {
+    this.#before();
+    const left = await this.#client.searchRest(progress);
+    const before = this.#state.snapshot();
+    if (before === null || left === null) return null;
+    this.#state.history.record(before, ['relax']);
+    return 1 - left;
+  }
+
   /** One iteration, then stop. */
   step(): Promise<void> {
     return this.#client.step();
@@ -608,6 +619,11 @@ export class App {
         this.flip().catch((error: unknown) => {
           this.report(error);
           return null;
+        }),
+      searchRest: (progress) =>
+        this.searchRest(progress).catch((error: unknown) => {
+          this.report(error);
+          return undefined;
         }),
       solve: () => this.#attemptNamed(['solve'], () => this.#client.solve()),
       step: () => this.#attemptNamed(['step'], () => this.step()),

@@ -19,6 +19,7 @@ import { ChangePanel } from './change_panel';
 import { ConvergencePanel } from './convergence_panel';
 import { DragPanel } from './drag_panel';
 import { FlipControl } from './flip_control';
+import { RelaxControl } from './relax_control';
 import { GalleryPictures } from './gallery_pictures';
 import { HandleList } from './handle_list';
 import { HistoryPanel } from './history_panel';
@@ -58,8 +59,9 @@ export function createLateSections(
     fold();
     events.compare(request);
   });
-  const [drag, flip] = [new DragPanel(events.handles, say, failed), new FlipControl(events)];
-  drag.element.append(flip.element);
+  const drag = new DragPanel(events.handles, say, failed);
+  const otherRests = [new FlipControl(events), new RelaxControl(events)];
+  drag.element.append(...otherRests.map(({ element }) => element));
   const rods = new RodControls(events);
   behaviour.append(rods.element);
   const mapEnds = new MapEnds(events);
@@ -93,7 +95,7 @@ export function createLateSections(
       new Growth(document.getElementById('view')!, events),
       rods,
       mapEnds,
-      flip,
+      ...otherRests,
       new ExportLines(exports, events),
       convergence,
       solver,

@@ -4,7 +4,7 @@ import type { Axes, Ball, FlatPattern, Handle, PatternFault, VertexLists } from 
 import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import { words } from '../language/language';
 import { CRASHED, PROTOCOL_VERSION, touchesNet } from './protocol';
-import type { DrawnSurface, FrameData, OpenedNet, Request, Response } from './protocol';
+import type { DrawnSurface, FrameData, OpenedNet, Request, Response, SearchFor } from './protocol';
 import { Failure, codeOf } from '../failure';
 
 /** The part of a `Worker` that the client uses. */
@@ -98,7 +98,7 @@ export class Client {
   #returning: Returning | null = null;
   #silence: ReturnType<typeof setInterval> | undefined;
   #whenIdle: (() => void)[] = [];
-  #adapting: (scale: number) => void = () => {};
+  #searching: (progress: number) => void = () => {};
 
   /** @param patience milliseconds of silence, while the worker is busy, after which it counts as lost. */
   constructor(spawn: () => WorkerLike, host: ClientHost, patience = 60_000) {
@@ -202,10 +202,20 @@ export class Client {
   /** All edges grow by one factor, as little as brings handles to where they, or a hand that was held back, are to be. The
    *  option `length_scale` then; null if none does. Fails as "cancelled" where the net is touched meanwhile.
    *  @param progress is told the scale of the moment. */
-  async adaptLengths(progress: (scale: number) => void): Promise<number | null> {
+  adaptLengths(progress: (scale: number) => void): Promise<number | null> {
+    return this.#search('lengths', progress);
+  }
+
+  /** Another net at rest: the part of the energy that it has; null if none has less. Fails as "cancelled" likewise.
+   *  @param progress is told which part of the search is done. */
+  searchRest(progress: (done: number) => void): Promise<number | null> {
+    return this.#search('rest', progress);
+  }
+
+  async #search(what: SearchFor, progress: (progress: number) => void): Promise<number | null> {
     this.#sendDrag();
-    this.#adapting = progress;
-    return (await this.#ask({ type: 'adapt' }, 'adapted')).scale;
+    this.#searching = progress;
+    return (await this.#ask({ type: 'search', what }, 'searched')).found;
   }
 
   solve(): Promise<void> {
@@ -309,7 +319,7 @@ export class Client {
     // Whatever goes wrong in the page that is told of it.
     try {
       if (response.type === 'frame' || response.type === 'settled') this.#news(response);
-      else if (response.type === 'adapting') this.#adapting(response.scale);
+      else if (response.type === 'searching') this.#searching(response.progress);
       else this.#answered(response);
     } finally {
       this.#rest();

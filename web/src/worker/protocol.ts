@@ -33,9 +33,8 @@ export type Request = { id: number } & (
   /** Before a drag: only what lies so many edge lengths from the origins may move until other handles are moved or set;
    *  null: everything. */
   | { type: 'locality'; radius: number | null; origins: number[] }
-  /** All edges grow by one factor, as little as brings exact handles to where they, or a hand that was held back, are to be.
-   *  Ended as "cancelled" by the next request that touches the net. */
-  | { type: 'adapt' }
+  /** Looks for another state of the net, and takes it. Ended as "cancelled" by the next request that touches the net. */
+  | { type: 'search'; what: SearchFor }
   /** Starts no solve; one under way goes on with them. */
   | { type: 'options'; settings: SolverSettings }
   /** Solve on until it ends. */
@@ -161,20 +160,25 @@ export type Response = { id: number } & (
   | { type: 'nearest'; points: Vec3[] }
   | { type: 'pattern'; pattern: FlatPattern | PatternFault }
   | { type: 'rods'; rods: VertexLists }
-  /** While lengths adapt: the scale of the moment. No answer yet. */
-  | { type: 'adapting'; scale: number }
-  /** The option `length_scale` that was found; null: none does, and nothing has changed. */
-  | { type: 'adapted'; scale: number | null }
+  /** While a search goes on: the scale of the moment, or the part that is done. No answer yet. */
+  | { type: 'searching'; progress: number }
+  /** The option `length_scale` that was found, or the part of the energy that is left; null: nothing does, and nothing has
+   *  changed. */
+  | { type: 'searched'; found: number | null }
   | { type: 'done' }
   | { type: 'error'; code: string; message: string }
 );
+
+/** `lengths`: all edges grow by one factor, as little as brings exact handles to where they, or a hand that was held back, are
+ *  to be. `rest`: another net at rest, with less energy. */
+export type SearchFor = 'lengths' | 'rest';
 
 const TOUCHING = [
   'open',
   'handles',
   'drag',
   'release',
-  'adapt',
+  'search',
   'options',
   'solve',
   'step',

@@ -7,8 +7,9 @@ import type { GuideSource, HandleSeed } from '../document/document';
 import { arrayBuffers } from './array_buffers';
 import { handleBy } from './handlers';
 import type { Handlers } from './handlers';
-import { LengthSearch } from './length_search';
 import { describe, openNet, openSurface } from './opened_net';
+import type { Search } from './search';
+import type { WholeCore } from './whole_core';
 import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE, touchesNet } from './protocol';
 import type { DrawnSurface, FrameData, OpenedNet, Request, Response } from './protocol';
 import { Failure, codeOf, messageOf } from '../failure';
@@ -39,7 +40,7 @@ interface ServerHost {
   soon(task: () => void): void;
   now(): number;
   /** The core with all that the one given has left out; see wasm/editors.d.ts. */
-  wholeCore(): Promise<Editors>;
+  wholeCore(): Promise<WholeCore>;
 }
 
 /**
@@ -71,8 +72,10 @@ export class Server {
   #inHand: Drag | null = null;
   /** What the last hand asked for. */
   #asked: readonly Handle[] = [];
+  /** null: it is not loaded. */
+  #whole: WholeCore | null = null;
   /** The last one. */
-  #search: LengthSearch | null = null;
+  #search: Search | null = null;
   #status: FrameData['status'] = 'running';
   /** The newest row of the present solve; null before its first iteration. */
   #row: TraceRow | null = null;
@@ -127,7 +130,7 @@ export class Server {
       // A net that has come home settles anew; one whose solve was stopped stays.
       this.#accept(request, this.#solving || this.#net().holdsBack || this.#status !== 'running');
     },
-    adapt: ({ id }) => this.#adapt(id),
+    search: (request) => this.#beginSearch(request),
     locality: (request) => {
       this.#net().setLocality(request.radius ?? Infinity, request.origins);
       this.#reply(request, { type: 'done' });
@@ -255,33 +258,32 @@ export class Server {
     this.#assess(scene);
   }
 
-  // ---------------------------------------------------------------------------------------------------- other lengths
+  // ---------------------------------------------------------------------------------------------------- searches
 
-  #adapt(id: number): void {
-    const wanted = this.#asked.filter(({ vertex }) =>
-      this.#net()
-        .handles()
-        .some((handle) => handle.vertex === vertex),
-    );
-    const adapter = this.#net().lengthAdapter(wanted);
+  #beginSearch({ id, what }: Extract<Request, { type: 'search' }>): void {
+    const editor = this.#net();
+    if (this.#whole === null) throw new Failure(LEFT_OUT, 'searches come with the whole core');
+    const asked = this.#asked.filter(({ vertex }) => editor.handles().some((handle) => handle.vertex === vertex));
     const goesOn = this.#solving;
-    this.#solving = false;
-    this.#search = new LengthSearch(adapter, (task) => this.#host.soon(task), {
-      passes: (scale) => this.#post({ id, type: 'adapting', scale }),
-      ended: (scale) => this.#adapted(id, scale),
+    this.#search = new this.#whole.Search(what, editor, asked, (task) => this.#host.soon(task), {
+      passes: (progress) => this.#post({ id, type: 'searching', progress }),
+      ended: (found) => {
+        if (what === 'lengths' && found !== null) this.#asked = [];
+        this.#searched(id, found);
+      },
       givenUp: (why) => {
         this.#refuse(id, why);
         // Nothing has come of it, so the solve that it interrupted goes on.
         if (goesOn) this.#go(true);
       },
     });
+    this.#solving = false;
   }
 
-  #adapted(id: number, scale: number | null): void {
-    if (scale !== null) this.#asked = [];
+  #searched(id: number, found: number | null): void {
     this.#forgetSolve();
     this.#touch = id;
-    this.#post({ id, type: 'adapted', scale });
+    this.#post({ id, type: 'searched', found });
     this.#go(true);
   }
 
@@ -349,7 +351,8 @@ export class Server {
     this.#late = late;
     let next = goOn;
     try {
-      this.#moveTo(await this.#host.wholeCore());
+      this.#whole = await this.#host.wholeCore();
+      this.#moveTo(this.#whole.core);
     } catch (error) {
       const message = `The rest of the solver could not be loaded: ${messageOf(error)}`;
       next = () => refuse(new Failure('not_loaded', message));

@@ -1,8 +1,14 @@
-/** Loads the whole core, when a request needs more than the core for a first net has. */
+/** What a request may need beyond the core for a first net: the whole core, and searches with it. */
 import wasmUrl from '../../../build/wasm/chebnet_core.wasm?url';
 import { loadChebnet } from '../../../wasm/chebnet.js';
-import type { Chebnet } from '../../../wasm/chebnet';
+import type { Editors } from '../../../wasm/chebnet';
+import { Search } from './search';
 
-export function loadWholeCore(): Promise<Chebnet> {
-  return loadChebnet({ wasmUrl });
+export interface WholeCore {
+  core: Editors;
+  Search: typeof Search;
+}
+
+export async function loadWholeCore(): Promise<WholeCore> {
+  return { core: await loadChebnet({ wasmUrl }), Search };
 }

@@ -7,6 +7,7 @@ import { CRASHED } from './protocol';
 import type { Request, Response } from './protocol';
 import { Server } from './server';
 import { warmUp } from './warm_up';
+import type { WholeCore } from './whole_core';
 import { messageOf } from '../failure';
 
 const WARM_UP_DELAY = 100;
@@ -55,11 +56,11 @@ async function idle(): Promise<void> {
   while (server?.isSolving) await new Promise((next) => setTimeout(next, WARM_UP_DELAY));
 }
 
-async function wholeCore(): Promise<Editors> {
+async function wholeCore(): Promise<WholeCore> {
   const { loadWholeCore } = await import('./whole_core');
-  const core = await loadWholeCore();
-  warm(core);
-  return core;
+  const whole = await loadWholeCore();
+  warm(whole.core);
+  return whole;
 }
 
 Promise.all([loadEditors({ wasmUrl }), holdOwnLock()])

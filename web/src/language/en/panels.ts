@@ -152,6 +152,14 @@ export const panels = {
     hint: 'Pushes the net through between its handles, to look for the other shape in which it rests',
     back: 'It is back: no other smooth shape at rest was found.',
   },
+  relax: {
+    label: 'Relax further',
+    hint: 'Looks for another shape at rest, less strained, by other ways to the same handles',
+    stop: 'Stop looking',
+    looking: (done: number) => `Looking… ${Math.round(100 * done)} %`,
+    found: (gain: number) => `Found: ${Number((100 * gain).toPrecision(2))} % less strained.`,
+    none: 'No shape at rest that is less strained was found.',
+  },
   change: {
     title: 'Change the net',
     length: 'Edge length',
@@ -587,6 +595,7 @@ export const panels = {
     guide: (surface: string) => `Surface ${surface}`,
     noGuide: 'No surface',
     flip: 'Flip through',
+    relax: 'Relax further',
     refine: 'Refine',
     coarsen: 'Coarsen',
     cut: 'Cut',

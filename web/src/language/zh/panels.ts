@@ -359,6 +359,14 @@ export const panels: Widened<typeof en> = {
     hint: '把网从手柄之间推到另一侧，寻找它的另一个静止形状',
     back: '网回到了原处：没有找到另一个平滑的静止形状。',
   },
+  relax: {
+    label: '继续放松',
+    hint: '保持手柄不动，用别的途径寻找受力更小的静止形状',
+    stop: '停止寻找',
+    looking: (done) => `正在寻找… ${Math.round(100 * done)}%`,
+    found: (gain) => `已找到：应变能减少 ${Number((100 * gain).toPrecision(2))}%。`,
+    none: '没有找到受力更小的静止形状。',
+  },
   change: {
     title: '更改网',
     length: '边长',
@@ -760,6 +768,7 @@ export const panels: Widened<typeof en> = {
     guide: (surface) => `曲面 ${surface}`,
     noGuide: '不用曲面',
     flip: '翻转',
+    relax: '继续放松',
     refine: '加密',
     coarsen: '变疏',
     cut: '剪开',
