@@ -31,10 +31,10 @@ beforeEach(() => {
 afterEach(() => vi.unstubAllGlobals());
 
 /** @param places of handles, from the left, `height` pixels down from the top. */
-function place(places: number[], height = 90, selection: number[] = []) {
+function place(places: number[], height = 90, selection: number[] = [], net: number[] = []) {
   const screenPositions = vi.fn((vertices: readonly number[]) => vertices.map((vertex) => ({ x: vertex, y: height })));
   const handles = places.map((vertex): HandleData => ({ vertex, target: [0, 0, 0], anchor: false }));
-  placeClear(notice, handles, selection, { screenPositions });
+  placeClear(notice, handles, selection, net, { screenPositions });
   return screenPositions;
 }
 
@@ -42,6 +42,15 @@ test('a notice goes where no handle is, and asks once where all of them are', ()
   const asked = place([50, 10]);
   expect(asked.mock.calls.filter(([vertices]) => vertices.length > 0)).toHaveLength(1);
   expect(dataset['place']).toBe('end');
+});
+
+test('of places without a handle a notice takes that which covers least of the net', () => {
+  place([], 90, [], [45, 50, 55, 5]);
+  expect(dataset['place']).toBe('end');
+  // However much of it, that is less than a handle.
+  dataset['place'] = 'middle';
+  place([10, 90], 90, [], [45, 50, 55]);
+  expect(dataset['place']).toBe('middle');
 });
 
 test('a notice leaves the arrow free that points up from what is selected', () => {

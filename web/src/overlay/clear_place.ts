@@ -1,4 +1,5 @@
-/** Where what lies over the picture covers no handle, none of the arrows at what is selected, and nothing that can be pressed. */
+/** Where what lies over the picture covers no handle, none of the arrows at what is selected, and nothing that can be pressed, and
+ *  little of the net. */
 import type { HandleData } from '../document/document';
 import type { Selection } from '../handles/selection';
 import type { PanelEvents } from '../panels';
@@ -15,24 +16,28 @@ const CONTROLS = '.over :is(button,input,summary,a,.experiment)';
 type Place = ReturnType<PanelEvents['screenPositions']>[number];
 type Box = Pick<DOMRect, 'left' | 'right' | 'top' | 'bottom'>;
 
-/** It stays where it is if nothing is there, and otherwise takes the place that covers the least. */
+/** It stays where it is if nothing is there, and otherwise takes the place that covers the least.
+ *  @param net some of its vertices. */
 export function placeClear(
   element: HTMLElement,
   handles: readonly HandleData[],
   selection: Selection,
+  net: readonly number[],
   { screenPositions }: Pick<PanelEvents, 'screenPositions'>,
 ): void {
   // Messages are placed together.
   const messages = element.parentElement ?? element;
   const handleBoxes = screenPositions(handles.map(({ vertex }) => vertex)).map(boxAround);
   const arrows = arrowsAt(screenPositions(selection));
+  const points = screenPositions(net);
   const others = [...handleBoxes, ...controlsBeside(messages)];
   const coveredAt = (place: string): number => {
     element.dataset['place'] = place;
     const box = messages.getBoundingClientRect();
     const countIn = (boxes: readonly Box[]): number => boxes.filter((other) => areOverlapping(box, other)).length;
-    // The arrows are about to be used, rather than any one handle.
-    return countIn(others) + 2 * countIn(arrows);
+    const covered = points.filter((point) => isIn(box, point)).length / Math.max(1, points.length);
+    // The arrows are about to be used, rather than any one handle; all of the net counts as one.
+    return countIn(others) + 2 * countIn(arrows) + covered;
   };
   let best = element.dataset['place'] ?? PLACES[0]!;
   let fewest = coveredAt(best);
@@ -63,6 +68,10 @@ function controlsBeside(messages: HTMLElement): Box[] {
   const all = [...document.querySelectorAll<HTMLElement>(CONTROLS)];
   const beside = all.filter((each) => !messages.contains(each) && each.checkVisibility());
   return beside.map((each) => each.getBoundingClientRect());
+}
+
+function isIn(box: Box, { x, y }: Place): boolean {
+  return box.left < x && x < box.right && box.top < y && y < box.bottom;
 }
 
 function areOverlapping(one: Box, other: Box): boolean {

@@ -31,6 +31,8 @@ const SCALE = 'length_scale';
 const AT_LIMIT = 0.1;
 /** More than this could not be told apart, and would be slow to draw. */
 const MOST_MARKS = 500;
+/** Of the net, for how much of it the notice would cover. */
+const MOST_POINTS = 300;
 
 /** Of the history, before that has been told. */
 const BEGINNING = { names: [''], present: 0, forgotten: 0, inGesture: false };
@@ -139,7 +141,9 @@ export class StuckNotice implements Panel {
   }
 
   #place(): void {
-    if (this.#isShown) placeClear(this.element, this.#handles, this.#choice?.selection ?? [], this.#events);
+    if (!this.#isShown) return;
+    const vertices = thinnedOut([...Array(this.#net?.info.vertices ?? 0).keys()], MOST_POINTS);
+    placeClear(this.element, this.#handles, this.#choice?.selection ?? [], vertices, this.#events);
   }
 
   /** The cells to blame, if the net did not come to a good shape. */
@@ -317,9 +321,9 @@ function hasMoved({ positions, handles }: FrameData, rest: Float64Array): boolea
 }
 
 /** So many at most, from all over. */
-function thinnedOut(cells: readonly number[], most: number): readonly number[] {
-  if (cells.length <= most) return cells;
-  return Array.from({ length: most }, (_, i) => cells[Math.floor((i * cells.length) / most)]!);
+function thinnedOut(all: readonly number[], most: number): readonly number[] {
+  if (all.length <= most) return all;
+  return Array.from({ length: most }, (_, i) => all[Math.floor((i * all.length) / most)]!);
 }
 
 /** By how much lengths differ from those of before. */
