@@ -1,7 +1,7 @@
 #include "edit/rest_search.h"
 
-#include <algorithm>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -14,23 +14,24 @@ namespace chebnet {
 
 namespace {
 
-// Another net has less energy than this part: the same net differs by what is left of it to come to rest.
-constexpr double k_less = 0.999;
+// Another net has less energy than this part, and by more than that: the same net differs by what is left of it to come
+// to rest, and one that lies as its rest shape does has next to none.
+constexpr double k_less = 0.999, k_no_energy = 1e-6;
 
 }  // namespace
 
 /// A way to another net, in steps.
 struct RestSearch::Way {
     int parts;              // of the way of all handles from the rest shape; 0: it begins at the best net so far,
-    double bending, shear;  // in whose first step lines and corners are so many times as stiff,
-    bool has_limit = true;  // and corners as sharp as they like
+    double stiffness = 1;   // in whose first step lines bend so many times less,
+    bool has_limit = true;  // and corners may be as sharp as they like
 
     int steps() const { return parts > 0 ? parts : is_detour() ? 2 : 1; }
-    bool is_detour() const { return bending != 1 || shear != 1 || !has_limit; }
+    bool is_detour() const { return stiffness != 1 || !has_limit; }
 };
 
 // The first is the net as it stands, in case that has not come to rest yet.
-constexpr RestSearch::Way RestSearch::k_ways[] = {{0, 1, 1}, {1, 1, 1}, {12, 1, 1}, {0, 8, 1}, {0, 1, 1, false}};
+constexpr RestSearch::Way RestSearch::k_ways[] = {{0}, {1}, {12}, {0, 8}, {0, 1, false}};
 
 RestSearch::RestSearch(const Editor& editor) : m_editor(editor.original()), m_asked(editor.state()), m_best(m_asked) {
     if (m_asked.method != k_default_method)
@@ -72,8 +73,7 @@ void RestSearch::begin_step() {
         if (m_step == 0) state.positions = m_editor.net().rest_positions();
         move_handles((m_step + 1) / steps, state);
     } else if (m_step == 0) {
-        state.options.bending_weight *= way.bending;
-        state.options.shear_weight *= way.shear;
+        state.options.bending_weight *= way.stiffness;
         if (!way.has_limit) state.options.shear_limit = 0;
     }
     m_editor.set_state(std::move(state));
@@ -90,7 +90,7 @@ void RestSearch::move_handles(double part, EditState& state) const {
 
 void RestSearch::end_way(Status status) {
     const double found = keeps_lengths(status) ? energy() : std::numeric_limits<double>::infinity();
-    const bool is_better = found < k_less * m_report.energy;
+    const bool is_better = found < k_less * m_report.energy - k_no_energy;
     if (m_way == 0) m_report.energy_before = found;
     if (m_way == 0 || is_better) {
         m_best = m_editor.state();

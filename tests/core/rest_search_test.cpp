@@ -64,6 +64,13 @@ TEST_CASE("A strip that stands as an arch against its weight hangs where less en
     }
 }
 
+TEST_CASE("A net that lies as its rest shape does has no less energy anywhere, whatever rounding says") {
+    Editor editor(samples::patch(9, 9, 0.4));
+    editor.set_handles(samples::handles_at_rest(editor.net(), {0, 8, 72, 80}));
+    editor.solve();
+    CHECK(RestSearch(editor).solve().status == Status::unreachable);
+}
+
 TEST_CASE("Interrupted anywhere, the same net is found") {
     const Editor editor = arch();
     RestSearch at_once(editor), in_slices(editor);
