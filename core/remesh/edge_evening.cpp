@@ -48,7 +48,7 @@ EdgeEvening::EdgeEvening(const Guide& guide, const Net& mesh, const Topology& to
 /// With rods as they are laid, what lengths still err by will be folded away, and corners have to be open at once.
 EdgeEvening::Evening EdgeEvening::evening_for(Rods rods) {
     if (rods == Rods::straight) return {0.02, 70, -1, 1, 0.99, 0, 1, 5e-4};
-    return {0.005, 45, 15, 10, 0.99, 8 * std::numbers::pi / 180, 2, 1e-4};
+    return {0.005, 40, 15, 5, 0.98, 8 * std::numbers::pi / 180, 2, 1e-4};
 }
 
 void EdgeEvening::find_bars() {
@@ -107,7 +107,8 @@ void EdgeEvening::run(int most_steps, const std::function<void(double)>& go_on) 
         if (m_options.length == 0) m_length = fitting_length();
         errors.push_back(length_error());
         if (k == m_evening.straight_steps) m_has_kinks = errors[k] > k_even;
-        if (k >= std::max(k_least_steps, last) && errors[k] > m_evening.least_gain * errors[k - last]) return;
+        const int least = std::max({k_least_steps, last, m_evening.straight_steps + (m_has_kinks ? last : 0)});
+        if (k >= least && errors[k] > m_evening.least_gain * errors[k - last]) return;
         step();
     }
 }
