@@ -18,6 +18,8 @@ namespace {
 constexpr double k_hold = 100, k_stiffness = 1;
 constexpr double k_border = 0.05;  // of the distance of borders, where that from the surface counts 1
 constexpr int k_least_steps = 4, k_trial_steps = 10;
+// What lengths may err by so that lines need no kinks: about the corners of a cube, which are tips, they do not.
+constexpr double k_even = 0.01;
 // No vertex moves farther in one step.
 constexpr double k_most_move = 0.4;
 // Corners are kept open by more than the limit, in diagonals, so that they are in the end.
@@ -45,8 +47,8 @@ EdgeEvening::EdgeEvening(const Guide& guide, const Net& mesh, const Topology& to
 
 /// With rods as they are laid, what lengths still err by will be folded away, and corners have to be open at once.
 EdgeEvening::Evening EdgeEvening::evening_for(Rods rods) {
-    if (rods == Rods::straight) return {0.02, 70, 1, 0.99, 0, 1, 5e-4};
-    return {0.005, 45, 10, 0.99, 8 * std::numbers::pi / 180, 2, 1e-4};
+    if (rods == Rods::straight) return {0.02, 70, -1, 1, 0.99, 0, 1, 5e-4};
+    return {0.005, 40, 15, 5, 0.98, 8 * std::numbers::pi / 180, 2, 1e-4};
 }
 
 void EdgeEvening::find_bars() {
@@ -60,15 +62,27 @@ void EdgeEvening::find_bars() {
         }
 }
 
+/// Three flat quads around a vertex have angles of 120 degrees there. On either side of a line from it the quads have
+/// parallel edges all along, so that a line that crosses it is bent by 60 degrees: such kinks cannot be evened out.
 void EdgeEvening::find_bends() {
-    for (const std::vector<int>& line : m_topology.net_lines()) {
-        for (std::size_t k = 0; k + 2 < line.size(); ++k) add_bend(line[k], line[k + 1], line[k + 2]);
-        if (m_topology.is_closed(line) && line.size() > 3) add_bend(line[line.size() - 2], line.front(), line[1]);
+    const std::vector<std::vector<int>> lines = m_topology.net_lines();
+    const auto is_from_singular = [&](const std::vector<int>& line) { return m_topology.is_singular(line.front()); };
+    std::vector<int> from_singular(static_cast<std::size_t>(m_mesh.vertex_count()), 0);  // so many lines
+    for (const std::vector<int>& line : lines)
+        if (is_from_singular(line))
+            for (std::size_t k = 1; k + 1 < line.size(); ++k) ++from_singular[line[k]];
+    for (const std::vector<int>& line : lines) {
+        const int own = is_from_singular(line) ? 1 : 0;
+        const auto is_kink = [&](int v) { return from_singular[v] > own; };
+        for (std::size_t k = 0; k + 2 < line.size(); ++k)
+            add_bend(line[k], line[k + 1], line[k + 2], is_kink(line[k + 1]));
+        if (m_topology.is_closed(line) && line.size() > 3)
+            add_bend(line[line.size() - 2], line.front(), line[1], is_kink(line.front()));
     }
 }
 
-void EdgeEvening::add_bend(int a, int b, int c) {
-    if (a != c) m_bends.push_back({a, b, c, link(a, b), link(b, c), link(a, c)});
+void EdgeEvening::add_bend(int a, int b, int c, bool is_kink) {
+    if (a != c) m_bends.push_back({a, b, c, link(a, b), link(b, c), link(a, c), is_kink});
 }
 
 int EdgeEvening::link(int a, int b) {
@@ -92,7 +106,9 @@ void EdgeEvening::run(int most_steps, const std::function<void(double)>& go_on) 
         go_on(static_cast<double>(k) / most_steps);
         if (m_options.length == 0) m_length = fitting_length();
         errors.push_back(length_error());
-        if (k >= std::max(k_least_steps, last) && errors[k] > m_evening.least_gain * errors[k - last]) return;
+        if (k == m_evening.straight_steps) m_has_kinks = errors[k] > k_even;
+        const int least = std::max({k_least_steps, last, m_evening.straight_steps + (m_has_kinks ? last : 0)});
+        if (k >= least && errors[k] > m_evening.least_gain * errors[k - last]) return;
         step();
     }
 }
@@ -132,7 +148,8 @@ void EdgeEvening::step() {
     draw_to_surface();
     for (const Rail* rail : {&m_rails.border, &m_rails.steps, &m_rails.creases}) draw_to(*rail);
     draw_to_points();
-    for (const Bend& bend : m_bends) straighten(bend);
+    for (const Bend& bend : m_bends)
+        if (!(bend.is_kink && m_has_kinks)) straighten(bend);
     for (const Bar& edge : m_edges) pull(edge, 1, 1);
     const double open = m_options.smallest_angle + m_evening.open;
     const double shortest = 2 * std::sin(open / 2) + k_diagonal_margin;

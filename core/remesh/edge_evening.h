@@ -46,12 +46,14 @@ private:
     /// x_a − 2 x_b + x_c and the links of its three pairs.
     struct Bend {
         int a, b, c, link_ab, link_bc, link_ac;
+        bool is_kink;  // where a line crosses one from a singular vertex
     };
     /// How edges are evened out.
     struct Evening {
         double straight;  // weight of the second difference of a net line
         int most_steps;
-        int last_steps;  // it ends when so many leave more than this part of the error of lengths
+        int straight_steps;  // after these kinks may come about beside lines from singular vertices; −1: never
+        int last_steps;      // it ends when so many leave more than this part of the error of lengths
         double least_gain;
         double open;             // corners are kept open by so much more than the limit, in radians
         double limit_stiffness;  // beside edges that weigh 1
@@ -61,7 +63,7 @@ private:
 
     void find_bars();
     void find_bends();
-    void add_bend(int a, int b, int c);
+    void add_bend(int a, int b, int c, bool is_kink);
     int link(int a, int b);
     Eigen::Matrix2Xi links() const;
     void run(int most_steps, const std::function<void(double)>& go_on);
@@ -87,6 +89,7 @@ private:
     std::map<std::pair<int, int>, int> m_links;
     std::vector<Bar> m_edges, m_diagonals;
     std::vector<Bend> m_bends;
+    bool m_has_kinks = false;
     std::unique_ptr<SingleBlockSystem> m_system;
     Eigen::Matrix3Xd m_force;
 };

@@ -27,10 +27,11 @@ constexpr int k_most_integers = 2000;
 // worth another number of cells.
 constexpr int k_few_integers = 60, k_scale_trials = 10;
 constexpr double k_clearly_fitter = 0.9;
-// Where cells may shear, so many rounds lead to edges of one length. Each goes farther than it aims by this factor, for
-// what is left shrinks slowly. The first keep cells more open than they need be, as far as they can: so the widest and
-// the narrowest are sheared alike.
-constexpr int k_shearing_rounds = 100;
+// Where cells may shear, so many rounds lead to edges of one length; about singular vertices nearly so, before whole
+// numbers are chosen and after that. Each goes farther than it aims by this factor, for what is left shrinks slowly.
+// The first keep cells more open than they need be, as far as they can: so the widest and the narrowest are sheared
+// alike.
+constexpr int k_shearing_rounds = 100, k_rounds_to_choose = 15, k_rounds_when_chosen = 5;
 constexpr double k_over_relaxation = 1.7;
 constexpr double k_open_cell = std::numbers::pi / 3;
 constexpr double k_settled = 1e-4;  // gradients that change less, beside a square's
@@ -64,7 +65,11 @@ struct Place {
 class Fit {
 public:
     Fit(const Surface& surface, const DirectionField& field, double length, const std::vector<bool>& on_lines)
-        : m_surface(surface), m_field(field), m_length(length), m_cut(surface, field) {
+        : m_surface(surface),
+          m_field(field),
+          m_length(length),
+          m_is_regular(singular_count(field) == 0),
+          m_cut(surface, field) {
         number_unknowns();
         place_corners();
         if (!on_lines.empty()) hold(on_lines);
@@ -95,14 +100,16 @@ public:
         const bool shears = smallest_angle < std::numbers::pi / 2;
         if (shears) {  // how many cells there are to be around shows while they need not be whole
             const Eigen::LDLT<Eigen::MatrixXd> inverse(S);
-            const double open = std::max(k_open_cell, smallest_angle);
-            shear_in_rounds(go_on, [&](double part) {
+            const double open = m_is_regular ? std::max(k_open_cell, smallest_angle) : smallest_angle;
+            shear_in_rounds(m_is_regular ? k_shearing_rounds : k_rounds_to_choose, go_on, [&](double part) {
                 integers = -N * inverse.solve(slope());
                 return shear(reals(), integers, std::lerp(open, smallest_angle, part));
             });
         }
         integers = N * fitting_integers(S, slope(), shears ? 0 : slack);
-        if (shears) shear_in_rounds(go_on, [&](double) { return shear(reals(), integers, smallest_angle); });
+        if (shears)
+            shear_in_rounds(m_is_regular ? k_shearing_rounds : k_rounds_when_chosen, go_on,
+                            [&](double) { return shear(reals(), integers, smallest_angle); });
         return map(reals(), integers);
     }
 
@@ -389,15 +396,15 @@ private:
 
     /// `round`: is given which part of them is done with it, and returns how much it has changed.
     template <class Round>
-    static void shear_in_rounds(const std::function<void()>& go_on, Round round) {
-        for (int k = 1; k <= k_shearing_rounds; ++k) {
+    static void shear_in_rounds(int rounds, const std::function<void()>& go_on, Round round) {
+        for (int k = 1; k <= rounds; ++k) {
             if (go_on) go_on();
-            if (round(static_cast<double>(k) / k_shearing_rounds) < k_settled) return;
+            if (round(static_cast<double>(k) / rounds) < k_settled) return;
         }
     }
 
-    /// Aims at what is nearest to the map that these unknowns make among cells with edges of one length, sheared along
-    /// a diagonal of the field. There are as many of them as there were of squares.
+    /// Aims at what is nearest to the map that these unknowns make among cells with edges of one length; without
+    /// singular vertices, sheared along a diagonal of the field. There are as many of them as there were of squares.
     /// Returns how much a gradient changes at most, beside a square's.
     double shear(const Eigen::VectorXd& reals, const Eigen::VectorXd& integers, double smallest_angle) {
         std::vector<Eigen::Matrix2d> present(m_gradients.size());
@@ -407,7 +414,9 @@ private:
             Eigen::Matrix2d edges;
             edges << edge_of(3 * f), edge_of(3 * f + 1);
             present[f] = changes_in(f, reals, integers) * edges.inverse();
-            const Eigen::Matrix2d tangents = rhomb(present[f].inverse(), smallest_angle);
+            const Eigen::Matrix2d sides = present[f].inverse();
+            const Eigen::Matrix2d tangents =
+                m_is_regular ? rhomb_on_axes(sides, smallest_angle) : rhomb(sides, smallest_angle);
             m_gradients[f] = tangents.inverse();
             area += m_surface.areas()[f];
             cells += m_surface.areas()[f] / tangents.determinant();
@@ -423,16 +432,36 @@ private:
         return change;
     }
 
+    static bool is_turned_over(const Eigen::Matrix2d& sides) {
+        return !sides.allFinite() || !(sides.determinant() > 0);
+    }
+
+    static double angle_between(const Eigen::Matrix2d& sides) {
+        return std::atan2(sides.determinant(), sides.col(0).dot(sides.col(1)));
+    }
+
+    static double kept_open(double angle, double smallest_angle) {
+        return std::clamp(angle, smallest_angle, std::numbers::pi - smallest_angle);
+    }
+
     /// The sides of the rhomb of side 1 with diagonals between the axes that is as acute as the cell with these sides,
     /// but not too acute; of a cell that is turned over, a square.
-    static Eigen::Matrix2d rhomb(const Eigen::Matrix2d& sides, double smallest_angle) {
-        const double turn = sides.determinant();
-        if (!sides.allFinite() || !(turn > 0)) return Eigen::Matrix2d::Identity();
-        const double angle = std::clamp(std::atan2(turn, sides.col(0).dot(sides.col(1))), smallest_angle,
-                                        std::numbers::pi - smallest_angle);
+    static Eigen::Matrix2d rhomb_on_axes(const Eigen::Matrix2d& sides, double smallest_angle) {
+        if (is_turned_over(sides)) return Eigen::Matrix2d::Identity();
+        const double angle = kept_open(angle_between(sides), smallest_angle);
         const double away = (std::numbers::pi / 2 - angle) / 2;  // of either side from its axis
         Eigen::Matrix2d rhomb;
         rhomb << std::cos(away), std::sin(away), std::sin(away), std::cos(away);
+        return rhomb;
+    }
+
+    /// The same with its sides along those of the cell, however it lies.
+    static Eigen::Matrix2d rhomb(const Eigen::Matrix2d& sides, double smallest_angle) {
+        if (is_turned_over(sides)) return Eigen::Matrix2d::Identity();
+        const double angle = angle_between(sides), opened = kept_open(angle, smallest_angle) - angle;
+        Eigen::Matrix2d rhomb;
+        rhomb << Eigen::Rotation2Dd(-opened / 2) * sides.col(0).normalized(),
+            Eigen::Rotation2Dd(opened / 2) * sides.col(1).normalized();
         return rhomb;
     }
 
@@ -465,6 +494,7 @@ private:
     const Surface& m_surface;
     const DirectionField& m_field;
     double m_length;
+    bool m_is_regular;  // there are no singular vertices
     FieldCut m_cut;
     int m_reals = 0, m_integers = 0;
     std::vector<int> m_unknown;              // of each vertex, the first of two

@@ -33,9 +33,9 @@ struct GridMap {
 /// border, is on them where the field goes along it.
 ///
 /// Cells are squares as far as can be; with a smaller `smallest_angle` (radians) they are rhombs with edges of one
-/// length, as many as squares, along the diagonals of the field and no more acute than that. So a ring has a number of
-/// cells around that edges of one length allow for where it is widest and narrowest. For fields without singular
-/// vertices, about which no cell is sheared along diagonals. Where there are no whole numbers to choose, as on a disc,
+/// length as far as can be, as many as squares, and no more acute than that. So between singular vertices, and around a
+/// ring, there are as many cells as edges of one length ask for. Along the diagonals of the field, so that they are
+/// sheared alike; about singular vertices, however they lie. Where there are no whole numbers to choose, as on a disc,
 /// cells stay squares. `go_on` is called in each round; whoever wants an end throws.
 GridMap fit_grid(const Surface& surface, const DirectionField& field, double length, double slack = 0,
                  const std::vector<bool>& on_lines = {}, double smallest_angle = std::numbers::pi / 2,

@@ -32,14 +32,16 @@ constexpr double k_slack = 0.03;
 constexpr double k_triangle_length = 0.9;
 // One round of smoothing for so many vertices: so it reaches as far on the surface, however small the cells are.
 constexpr double k_vertices_a_round = 600;
-// Of cells of the grid, where they may shear.
-constexpr double k_least_grid_angle = std::numbers::pi / 6;
+// Of cells of the grid, where they may shear. About singular vertices they shear more once edges are evened out.
+constexpr double k_least_grid_angle = std::numbers::pi / 6, k_singular_grid_angle = 50 * std::numbers::pi / 180;
 // What is tried first is so with so many cells.
 constexpr int k_fewest_cells = 800;
 // A field that nothing holds is as smooth turned by any angle up to 90°. So many are tried, and one that leaves clearly
 // less error is worth it, and survives rounding.
 constexpr int k_turns_tried = 4;
 constexpr double k_clearly_smaller = 0.95;
+// What leaves less needs no other whole numbers.
+constexpr double k_small_error = 0.015;
 constexpr int k_mesh_digits = 4;  // of coordinates in messages
 
 using Border = RemeshOptions::Border;
@@ -136,13 +138,14 @@ std::vector<bool> QuadMesher::followed_border(const Surface& surface) const {
 
 Mesh QuadMesher::mesh_along(double size, double smoothing, bool turns) const {
     m_clock.begin(RemeshPhase::field);
-    DirectionField field = field_along(smoothing);
-    if (singular_count(field) > k_most_singular_vertices)
+    Course course{field_along(smoothing)};
+    const int singular = singular_count(course.field);
+    if (singular > k_most_singular_vertices)
         throw Error(ErrorCode::bad_option, "the surface is so rough that directions on it have " +
-                                               std::to_string(singular_count(field)) + " singular vertices");
-    if (turns && singular_count(field) > 0) field = well_turned(field);
+                                               std::to_string(singular) + " singular vertices");
+    if (turns && singular > 0) course = best_course(course.field);
     m_clock.begin(RemeshPhase::grid);
-    return checked_mesh(field, size);
+    return checked_mesh(course, size);
 }
 
 DirectionField QuadMesher::field_along(double smoothing) const {
@@ -156,23 +159,25 @@ DirectionField QuadMesher::field_along(double smoothing) const {
 bool QuadMesher::may_turn() const { return !m_has_border && m_creases.sides.empty() && !(m_wishes && m_wishes->only); }
 
 /// How well edges can be evened out hangs on which net lines lead from one singular vertex to another, and so on how
-/// the field is turned: what is left is folded away in the end.
-DirectionField QuadMesher::well_turned(const DirectionField& field) const {
-    DirectionField best = field;
+/// the field is turned: what is left is folded away in the end. Where much is left, other whole numbers of cells
+/// between them may fit edges of one length better than they fit squares.
+QuadMesher::Course QuadMesher::best_course(const DirectionField& field) const {
+    Course best{field};
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k < k_turns_tried; ++k) {
-        m_clock.tell(static_cast<double>(k + 1) / (k_turns_tried + 1));
-        DirectionField other = turned(m_even.surface, field, k * std::numbers::pi / 2 / k_turns_tried);
+        m_clock.tell(static_cast<double>(k + 1) / (k_turns_tried + 2));
+        Course other{turned(m_even.surface, field, k * std::numbers::pi / 2 / k_turns_tried)};
         const double error = small_error(other);
         if (error < k_clearly_smaller * least) least = error, best = std::move(other);
     }
+    if (least > k_small_error) best.shears = small_error({best.field, true}) < k_clearly_smaller * least;
     return best;
 }
 
 /// Of edges that are evened out, in a small net; infinite if there is none.
-double QuadMesher::small_error(const DirectionField& field) const {
+double QuadMesher::small_error(const Course& course) const {
     try {
-        return evened_error(m_guide, checked_mesh(field, small_size()), m_options.smallest_angle);
+        return evened_error(m_guide, checked_mesh(course, small_size()), m_options.smallest_angle);
     } catch (const Error&) {
         return std::numeric_limits<double>::infinity();
     }
@@ -182,18 +187,21 @@ double QuadMesher::small_size() const {
     return std::max(1.0, std::sqrt(cells_asked_for(m_guide->surface(), m_options) / k_fewest_cells));
 }
 
-Mesh QuadMesher::checked_mesh(const DirectionField& field, double size) const {
-    Mesh mesh = mesh_of(cells_of(m_even.surface, grid_along(field, size * m_cell)));
+Mesh QuadMesher::checked_mesh(const Course& course, double size) const {
+    Mesh mesh = mesh_of(cells_of(m_even.surface, grid_along(course, size * m_cell)));
     check_quads(mesh);
     check_topology(mesh, m_guide->surface());
     return mesh;
 }
 
-GridMap QuadMesher::grid_along(const DirectionField& field, double length) const {
+GridMap QuadMesher::grid_along(const Course& course, double length) const {
     const Surface& triangles = m_even.surface;
+    const DirectionField& field = course.field;
     if (m_holds_lines)
         return fit_grid(triangles, field, length, m_options.length > 0 ? 0 : k_slack,
                         either(m_even.creases, held_border(triangles)));
+    if (course.shears)
+        return fit_grid(triangles, field, length, 0, {}, std::max(k_singular_grid_angle, m_options.smallest_angle));
     // At 45° to the border cells shear along diagonals, which follow it.
     const bool may_shear =
         m_options.border == Border::across && m_has_border && m_creases.sides.empty() && singular_count(field) == 0;

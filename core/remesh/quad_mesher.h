@@ -46,8 +46,8 @@ public:
     /// On the even triangles. `smoothing`: as RemeshOptions::smoothing.
     DirectionField field_along(double smoothing) const;
     /// Of cells of this size, 1 for as many as are asked for. `turns`: the field as a whole, to where edges can be
-    /// evened out best; only if may_turn(). Throws Error bad_option where no mesh comes of it that has the surface's
-    /// topology, too_large where lines leave too much to choose, and as Net does.
+    /// evened out best, and lets cells shear if that helps; only if may_turn(). Throws Error bad_option where no mesh
+    /// comes of it that has the surface's topology, too_large where lines leave too much to choose, and as Net does.
     Mesh mesh_along(double size, double smoothing, bool turns) const;
     /// The same of few cells, to try something.
     Mesh small_mesh() const { return mesh_along(small_size(), m_options.smoothing, false); }
@@ -57,11 +57,17 @@ public:
 private:
     bool may_hold_border() const;
     std::vector<bool> followed_border(const Surface& surface) const;
-    DirectionField well_turned(const DirectionField& field) const;
-    double small_error(const DirectionField& field) const;
+    /// A field, and whether cells along it may shear before whole numbers of them are chosen.
+    struct Course {
+        DirectionField field;
+        bool shears = false;
+    };
+
+    Course best_course(const DirectionField& field) const;
+    double small_error(const Course& course) const;
     double small_size() const;
-    Mesh checked_mesh(const DirectionField& field, double size) const;
-    GridMap grid_along(const DirectionField& field, double length) const;
+    Mesh checked_mesh(const Course& course, double size) const;
+    GridMap grid_along(const Course& course, double length) const;
     const WishPlacer& placer();
 
     std::shared_ptr<const Guide> m_guide;

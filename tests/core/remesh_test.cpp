@@ -229,6 +229,23 @@ TEST_CASE("Directions on a sphere are turned so that edges of one length need fe
     CHECK(measure_drape(guide->surface(), guide->tree(), net).folds < 0.008 * net.edge_count());
 }
 
+TEST_CASE("Closed bodies get nets that are crumpled nowhere: lines have kinks beside those from singular vertices") {
+    const auto guide = std::make_shared<const Guide>(Surface(samples::blob(3)));
+    const Net net = remesh(guide, of_cells(1000)).net;
+    const DrapeReport report = measure_drape(guide->surface(), guide->tree(), net);
+    CHECK(crumpled_edges(*guide, net) == 0);
+    CHECK(report.folds < 5);
+    CHECK(report.mean_distance < 0.075 * report.length);
+}
+
+TEST_CASE("Between singular vertices there are as many cells as edges of one length ask for") {
+    const auto guide =
+        std::make_shared<const Guide>(repaired_surface(samples::chain_of_rings(2), k_all_defects).surface);
+    const Net net = remesh(guide, of_cells(1000)).net;
+    CHECK(crumpled_edges(*guide, net) == 0);
+    CHECK(distance_to(*guide, net, net.rest_positions()).mean < 0.1 * net.mean_length());
+}
+
 TEST_CASE("A cube of twelve triangles gets a net with eight singular vertices") {
     CHECK(Topology(remeshed(cube(), of_cells(600), 2).net).singular_vertices() == std::map<int, int>{{3, 8}});
 }
