@@ -207,6 +207,7 @@ test('what is asked of a net while another is being opened is refused, and reach
     app.setGuide({ own: 'hypar' }),
     app.adaptLengths(() => {}),
     app.flip(),
+    app.searchRest(() => {}),
     app.reset(),
     app.moveWhole(),
   ].map((each) => each.then(() => 'taken', codeOf));

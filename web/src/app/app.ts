@@ -389,7 +389,8 @@ export class App {
   /** Pushes the net through between its handles, to look for its other equilibrium. Where it comes to no rest, or to a crumpled
    *  one, it goes back. How far the vertex that moves most has come once the net has settled, in edge lengths; null: something
    *  else is done by then. */
-  flip(): Promise<number | null> {
+  async flip(): Promise<number | null> {
+    this.#before();
     const flipping = flipper().then(({ flip }) =>
       flip(this.#client, this.#state, {
         before: () => this.#before(),
