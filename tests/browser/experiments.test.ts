@@ -85,34 +85,6 @@ test('the list of figures is links, and a link to the one that is open begins it
   expect(await link.getAttribute('aria-current')).toBe('true');
 });
 
-test('the address has the experiment as long as that is open, and undo, redo and a reload lead to what it says', async () => {
-  const { page, script } = await arrive();
-  const first = (await script.stats()).vertices;
-  const hash = () => new URL(page.url()).hash;
-  await openForResearch(page, 'Experiments');
-  await page.getByRole('link', { name: 'General meshes' }).click();
-  await noteOf(page).waitFor();
-  const link = hash();
-  expect(link).toMatch(/^#experiment=/);
-  await page.keyboard.press('Control+z');
-  await noteOf(page).waitFor({ state: 'hidden' });
-  expect(hash()).toBe('');
-  await page.keyboard.press('Control+y');
-  await noteOf(page).waitFor();
-  expect(hash()).toBe(link);
-  await expect.poll(() => page.evaluate(() => sessionStorage.getItem('chebnet.link')), { timeout: 15_000 }).toBe(link);
-  // One that a reload has brought back is still that of the link.
-  await page.reload();
-  await script.waitForNet();
-  await noteOf(page).waitFor();
-  await page.keyboard.press('Control+z');
-  await noteOf(page).waitFor({ state: 'hidden' });
-  expect(hash()).toBe('');
-  await page.reload();
-  await script.waitForNet();
-  expect([(await script.stats()).vertices, hash()]).toEqual([first, '']);
-});
-
 test('links lead to other edits with the same variant, and to other variants with the same edit', async () => {
   const { page } = await visitFigure('starts&variant=1');
   const note = noteOf(page);

@@ -78,7 +78,7 @@ async function start(keeps: boolean): Promise<Projects> {
     isQuiet: true,
     history,
     get opening() {
-      return opened.length > 0 ? { document: snapshot() } : null;
+      return opened.length > 0 ? {} : null;
     },
     project: () => ({ ...project, entries: history.entries(snapshot()) }),
     openScene: async () => {

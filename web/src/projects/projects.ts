@@ -21,7 +21,6 @@ const wording = lazy(async () => (await import('../language/kept')).keptWords);
 export class Projects {
   readonly #app: App;
   readonly #autosave: Autosave;
-  readonly #address = lazy(async () => new (await import('./address')).Address(this.#app, this.#autosave));
   /** Looked up while the solver loads. */
   readonly #last: Promise<KeptProject | undefined>;
   #saidNotKept = false;
@@ -77,7 +76,6 @@ export class Projects {
     if (last === undefined) return () => {};
     const hasDied = (await hasCrashFlag(last.id)) || (await hasCrashFlag(location.hash));
     if (!hasDied) await this.#restore(last);
-    if (location.hash) (await this.#address()).note(location.hash);
     const text = await wording();
     if (hasDied) return () => this.#offer(text.diedKept, text.openAnyway, () => this.#restoreInstead(last));
     return () => this.#offer(text.restored, text.startAfresh, () => this.newNet());
@@ -247,7 +245,8 @@ export class Projects {
 
   async #openLink(hash: string): Promise<void> {
     const isFirst = this.#app.opening === null;
-    await (await this.#address()).open(hash);
+    const { sceneOf } = await linking();
+    await this.#app.openScene(await sceneOf(hash), { name: ['link'], key: null });
     if (isFirst) this.#autosave.begin(newId(), false);
   }
 
