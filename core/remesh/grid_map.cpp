@@ -27,12 +27,14 @@ constexpr int k_most_integers = 2000;
 // worth another number of cells.
 constexpr int k_few_integers = 60, k_scale_trials = 10;
 constexpr double k_clearly_fitter = 0.9;
+// Of the map, in cells: nothing has so many in a row.
+constexpr double k_most_coordinate = 1e6;
 // Where cells may shear, so many rounds lead to edges of one length; about singular vertices nearly so, before whole
 // numbers are chosen and after that. Each goes farther than it aims by this factor, for what is left shrinks slowly.
 // The first keep cells more open than they need be, as far as they can: so the widest and the narrowest are sheared
 // alike.
 constexpr int k_shearing_rounds = 100, k_rounds_to_choose = 15, k_rounds_when_chosen = 5;
-constexpr double k_over_relaxation = 1.7;
+constexpr double k_over_relaxation = 1.7, k_steepest = 10;
 constexpr double k_open_cell = std::numbers::pi / 3;
 constexpr double k_settled = 1e-4;  // gradients that change less, beside a square's
 // What is to be on a line of the grid is so if the field's direction is nearer to it than this: a sine.
@@ -425,7 +427,9 @@ private:
         double change = 0;
         for (std::size_t f = 0; f < m_gradients.size(); ++f) {
             m_gradients[f] /= length;
-            if (present[f].allFinite()) m_gradients[f] = present[f] + k_over_relaxation * (m_gradients[f] - present[f]);
+            // A triangle that is hardly one may have any gradient, which would grow from round to round.
+            if (present[f].norm() < k_steepest * m_gradients[f].norm())
+                m_gradients[f] = present[f] + k_over_relaxation * (m_gradients[f] - present[f]);
             change = std::max(change, m_length * (m_gradients[f] - before[f]).cwiseAbs().maxCoeff());
         }
         assemble_targets();
@@ -467,6 +471,11 @@ private:
 
     /// The vertices' own coordinates are rounded to parts of a cell, and all others follow exactly.
     GridMap map(const Eigen::VectorXd& reals, const Eigen::VectorXd& integers) const {
+        const auto is_grid = [](const Eigen::VectorXd& unknowns) {
+            return unknowns.allFinite() && unknowns.lpNorm<Eigen::Infinity>() < k_most_coordinate;
+        };
+        if (!is_grid(reals) || !is_grid(integers))
+            throw Error(ErrorCode::bad_option, "no grid of whole cells was found on the surface");
         const auto in_parts = [&](int unknown) {
             if (unknown >= m_reals)
                 return k_cell * static_cast<std::int64_t>(std::llround(integers[unknown - m_reals]));

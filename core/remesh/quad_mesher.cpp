@@ -40,8 +40,10 @@ constexpr int k_fewest_cells = 800;
 // less error is worth it, and survives rounding.
 constexpr int k_turns_tried = 4;
 constexpr double k_clearly_smaller = 0.95;
-// What leaves less needs no other whole numbers.
+// What leaves less needs no other whole numbers; and between more singular vertices, as of a rough surface, they take
+// long to choose.
 constexpr double k_small_error = 0.015;
+constexpr int k_few_singular_vertices = 100;
 constexpr int k_mesh_digits = 4;  // of coordinates in messages
 
 using Border = RemeshOptions::Border;
@@ -170,7 +172,8 @@ QuadMesher::Course QuadMesher::best_course(const DirectionField& field) const {
         const double error = small_error(other);
         if (error < k_clearly_smaller * least) least = error, best = std::move(other);
     }
-    if (least > k_small_error) best.shears = small_error({best.field, true}) < k_clearly_smaller * least;
+    const bool may_shear = least > k_small_error && singular_count(field) <= k_few_singular_vertices;
+    if (may_shear) best.shears = small_error({best.field, true}) < k_clearly_smaller * least;
     return best;
 }
 
