@@ -417,7 +417,8 @@ export interface Editor {
   /** A search for the smallest `length_scale` with which the exact handles are met, those named at these targets. Throws
    *  "left_out" in a module that does without. */
   lengthAdapter(wanted?: readonly Handle[]): LengthAdapter;
-  /** Looks for another net at rest, with less energy. Throws `bad_option` for another method than `equilibrium`. */
+  /** Looks for another net at rest, with less energy. Throws `bad_option` for another method than `equilibrium`,
+   *  "left_out" in a module that does without. */
   restSearch(): RestSearch;
 
   /** Of the last solve; null where its method does not tell, and while handles are on their way. Throws "left_out" in a

@@ -5,6 +5,7 @@ import { describe, expect, test } from 'vitest';
 import { en } from '../../web/src/language/en';
 import { zh } from '../../web/src/language/zh';
 import { allSections, drawn, OUTPUT, unfoldAll, visits } from './page';
+import type { Visit } from './page';
 
 const { arrive, share } = visits();
 
@@ -328,20 +329,7 @@ test.each([
   'at %i by %i what is said of a net that is stuck covers neither the handle nor what can be done with it',
   async (width, height) => {
     const { page, script } = await share({ viewport: { width, height }, hasTouch: true, isMobile: true });
-    await script.open({ recipe: 'dome:vertices=500,reach=55' });
-    await script.settled();
-    await drawn(page);
-    const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
-    const { x, y } = await script.screenPosition(vertex);
-    await page.touchscreen.tap(x, y);
-    await page.locator('.selection-bar').waitFor();
-    await page.mouse.move(x, y);
-    await page.mouse.down();
-    await page.mouse.move(x + 150, y - 130, { steps: 10 });
-    await page.mouse.up();
-    await script.settled();
-    await page.locator('.stuck-notice .message').waitFor();
-    await drawn(page);
+    const vertex = await pullTooFar({ page, script }, 150, -130);
     await page.screenshot({ path: join(OUTPUT, `stuck-selected-${width}.png`) });
     expect(await page.locator('.selection-bar').isVisible()).toBe(true);
     for (const part of ['.stuck-notice', '.selection-bar']) expect(await faults(page, part)).toEqual([]);
@@ -391,24 +379,10 @@ test.each([
       [80, -150],
       [0, -250],
     ] as const) {
-      await script.open({ recipe: 'dome:vertices=500,reach=55' });
-      await script.settled();
-      await drawn(page);
-      const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
-      const { x, y } = await script.screenPosition(vertex);
-      await page.touchscreen.tap(x, y);
-      await page.locator('.selection-bar').waitFor();
-      await page.mouse.move(x, y);
-      await page.mouse.down();
-      await page.mouse.move(x + across, y + down, { steps: 10 });
-      await page.mouse.up();
-      await script.settled();
-      const message = page.locator('.stuck-notice .message');
-      await message.waitFor();
-      await drawn(page);
+      const vertex = await pullTooFar({ page, script }, across, down);
       await page.screenshot({ path: join(OUTPUT, `stuck-arrows-${width}-${across}.png`) });
       const at = await script.screenPosition(vertex);
-      const box = (await message.boundingBox())!;
+      const box = (await page.locator('.stuck-notice .message').boundingBox())!;
       const arrow = 0.14 * (await page.locator('#view').boundingBox())!.height;
       expect(at.y - arrow > box.y + box.height || at.y + 12 < box.y, `${across}, ${down}`).toBe(true);
     }
@@ -582,6 +556,29 @@ test.each(['en', 'zh-CN'])(
 );
 
 /** Where a part of the page is while the solver says one thing and another, each place once, and how much is seen of what it says. */
+/** Selects the crown of a dome and drags it so many pixels, beyond what the net reaches. */
+async function pullTooFar(
+  { page, script }: Pick<Visit, 'page' | 'script'>,
+  across: number,
+  down: number,
+): Promise<number> {
+  await script.open({ recipe: 'dome:vertices=500,reach=55' });
+  await script.settled();
+  await drawn(page);
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const { x, y } = await script.screenPosition(vertex);
+  await page.touchscreen.tap(x, y);
+  await page.locator('.selection-bar').waitFor();
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + across, y + down, { steps: 10 });
+  await page.mouse.up();
+  await script.settled();
+  await page.locator('.stuck-notice .message').waitFor();
+  await drawn(page);
+  return vertex;
+}
+
 function placesOf(page: Page, part: string): Promise<string[]> {
   return page.evaluate(
     ({ part, all }) => {

@@ -20,14 +20,14 @@ export class RelaxControl implements Panel {
   }
 
   async #search(events: Pick<PanelEvents, 'searchRest'>): Promise<void> {
-    const { label, stop, none, looking, found } = panelWords.relax;
+    const { label, stop, looking } = panelWords.relax;
     this.#isSearching = true;
     setText(this.#button, stop);
     setText(this.#outcome, looking(0));
     const gain = await events.searchRest((done) => setText(this.#outcome, looking(done)));
     this.#isSearching = false;
     setText(this.#button, label);
-    setText(this.#outcome, gain === undefined ? '' : gain === null ? none : found(gain));
+    setText(this.#outcome, outcomeOf(gain));
   }
 
   setNet(): void {
@@ -41,4 +41,11 @@ export class RelaxControl implements Panel {
   setHandles(handles: readonly HandleData[]): void {
     this.#button.disabled = handles.length === 0;
   }
+}
+
+function outcomeOf(gain: number | null | undefined): string {
+  const { none, found, foundAny } = panelWords.relax;
+  if (gain === undefined) return '';
+  if (gain === null) return none;
+  return gain < 1 ? found(gain) : foundAny;
 }

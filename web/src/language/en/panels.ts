@@ -158,6 +158,8 @@ export const panels = {
     stop: 'Stop looking',
     looking: (done: number) => `Looking… ${Math.round(100 * done)} %`,
     found: (gain: number) => `Found: ${Number((100 * gain).toPrecision(2))} % less strained.`,
+    /** Where there was no net before. */
+    foundAny: 'Found.',
     none: 'No shape at rest that is less strained was found.',
   },
   change: {

@@ -365,6 +365,7 @@ export const panels: Widened<typeof en> = {
     stop: '停止寻找',
     looking: (done) => `正在寻找… ${Math.round(100 * done)}%`,
     found: (gain) => `已找到：应变能减少 ${Number((100 * gain).toPrecision(2))}%。`,
+    foundAny: '已找到。',
     none: '没有找到受力更小的静止形状。',
   },
   change: {
