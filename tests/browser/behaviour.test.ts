@@ -373,6 +373,27 @@ test('that no length of edges is enough stands until something is changed', asyn
   await notice.getByText(/out of reach/).waitFor();
 });
 
+test('a net that is crumpled says so where it is, with ways out that lead to a smooth one', async () => {
+  const { page } = visit;
+  await script.open({ recipe: 'sheet:vertices=225' });
+  await choose(/lengths alone|only its lengths/);
+  await script.setHandles([{ vertex: 0 }, { vertex: 224 }]);
+  await script.settled();
+  const notice = page.locator('.stuck-notice');
+  expect(await notice.textContent()).toBe('');
+  await page.evaluate(() => {
+    const [first, last] = window.chebnet.handles().map(({ target }) => target);
+    const towards = (part: number) => first!.map((x, i) => x + part * (last![i]! - x)) as [number, number, number];
+    return window.chebnet.move(224, towards(0.15));
+  });
+  await script.settled();
+  await notice.getByText('crumpled').waitFor();
+  await page.screenshot({ path: join(OUTPUT, 'crumpled.png') });
+  await notice.getByRole('button', { name: 'Bring it to rest' }).click();
+  await script.settled();
+  await expect.poll(() => notice.textContent()).toBe('');
+});
+
 test('quads that want to be square become so, and undo takes that back', async () => {
   await script.open({ obj: rhombi(6, 60), name: 'rhombi.obj' });
   await script.settled();

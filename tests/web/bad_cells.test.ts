@@ -1,6 +1,6 @@
 /** Which cells are to blame. */
 import { expect, test } from 'vitest';
-import { badCells } from '../../web/src/overlay/bad_cells';
+import { badCells, crumpledCells } from '../../web/src/overlay/bad_cells';
 import { describe as describeNet } from '../../web/src/worker/opened_net';
 import type { FrameData } from '../../web/src/worker/protocol';
 import { load } from '../wasm/load';
@@ -37,4 +37,10 @@ test('a net as it should be has none', () => {
 test('corners sharper than the limit are told, and those at it are not', () => {
   expect(badCells(net, frame(14, [0, 0, 0]), 90).sharp.size).toBe(0);
   expect(badCells(net, frame(14, [0, 0, 0]), 91).sharp.size).toBe(20);
+});
+
+test('cells beside an edge that is folded by more than 60° are crumpled, those bent by less are not', () => {
+  expect(crumpledCells(net, frame(14, [0, 0, 0.4])).folded.size).toBe(0);
+  const { folded } = crumpledCells(net, frame(14, [0, 0, 5]));
+  expect(around(14).filter((face) => !folded.has(face))).toEqual([]);
 });

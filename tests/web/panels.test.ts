@@ -291,7 +291,8 @@ describe('of a net that stopped short of its handles the notice says why, and of
 
   beforeEach(() => {
     const adaptLengths = async (): Promise<number> => scale;
-    const events = { handles: SILENT, adaptLengths, mark: () => {}, screenPositions: () => [] };
+    const searchRest = async (): Promise<null> => null;
+    const events = { handles: SILENT, adaptLengths, searchRest, mark: () => {}, screenPositions: () => [] };
     notice = new StuckNotice(events as unknown as PanelEvents, String);
     notice.setNet(net);
     notice.setHandles(held, choose());
@@ -328,6 +329,31 @@ describe('of a net that stopped short of its handles the notice says why, and of
     show(sheet, stuckBy(0, 1, 0.5, 1));
     expect(notice.element.textContent).toContain(tooNear(0, 1, '0.500', '1.00'));
     expect(isOffered(grow)).toBe(false);
+  });
+
+  test('of a net that is crumpled, to relax it, and where that leads nowhere, that it does not', async () => {
+    const { crumpled, noSmoother, rest } = panelWords.stuck;
+    const { label, looking } = panelWords.relax;
+    // One vertex far out of the sheet.
+    const positions = net.restPositions.map((x, i) => (i === 3 * 60 + 2 ? x + 9 : x));
+    const folded = { ...good, positions } as FrameData;
+    const history = { revision: 1, names: [''], present: 0, forgotten: 0, inGesture: false } as unknown as HistoryView;
+    notice.setHistory(history);
+    show({ ...sheet, method: 'projection', net: { recipe: 'sheet:vertices=121' } }, folded);
+    expect([isOffered(rest), isOffered(label)]).toEqual([true, false]);
+    show(sheet, folded);
+    expect(notice.element.textContent).toContain(crumpled);
+    expect([isOffered(rest), isOffered(label)]).toEqual([false, true]);
+    page.button(label).tell('click');
+    expect(notice.element.textContent).toContain(looking(0));
+    expect(isOffered(panelWords.stuck.stop)).toBe(true);
+    await new Promise((done) => setTimeout(done));
+    expect(notice.element.textContent).toContain(noSmoother);
+    expect(isOffered(label)).toBe(false);
+    // What a hand holds may yet unfold.
+    notice.setHistory({ ...history, inGesture: true });
+    show(sheet, folded);
+    expect(notice.element.textContent).toBe('');
   });
 
   test('and of edges that have grown it is said for as long as they are so, in this net', async () => {

@@ -1,7 +1,7 @@
 /** The cells of a net that is not as it should be. */
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { deviation, edgeLength, KEPT_DEVIATION } from '../net/edge_lengths';
-import { facePairs, sharpQuads } from '../net/fold';
+import { facePairs, newFolds, sharpQuads } from '../net/fold';
 
 /** Edges are told apart from the worst one when their error is below this part of it. */
 const PART_OF_WORST = 0.01;
@@ -13,11 +13,16 @@ export interface BadCells {
   off: ReadonlySet<number>;
   /** Quads with a corner below the limit. */
   sharp: ReadonlySet<number>;
+  /** Faces at an edge at which the net is crumpled. */
+  folded: ReadonlySet<number>;
 }
+
+export const NONE_BAD: BadCells = { off: new Set(), sharp: new Set(), folded: new Set() };
 
 /** @param limit of corners, in degrees. */
 export function badCells(net: OpenedNet, { positions, lengthScale }: FrameData, limit: number): BadCells {
   return {
+    ...NONE_BAD,
     off: facesAt(net, edgesOff(net, positions, lengthScale)),
     sharp: sharpQuads(net, positions, limit - ROUNDING),
   };
@@ -27,7 +32,12 @@ export function badCells(net: OpenedNet, { positions, lengthScale }: FrameData, 
 export function creasedCells(net: OpenedNet, { positions }: FrameData, limit: number): BadCells {
   const before = sharpQuads(net, net.restPositions, limit - ROUNDING);
   const now = [...sharpQuads(net, positions, limit - ROUNDING)];
-  return { off: new Set(), sharp: new Set(now.filter((face) => !before.has(face))) };
+  return { ...NONE_BAD, sharp: new Set(now.filter((face) => !before.has(face))) };
+}
+
+/** Where an edit has folded the net as no smooth bend does. */
+export function crumpledCells(net: OpenedNet, { positions }: FrameData): BadCells {
+  return { ...NONE_BAD, folded: facesAt(net, newFolds(net, net.restPositions, positions)) };
 }
 
 function edgesOff({ edges, restLengths }: OpenedNet, positions: Float64Array, scale: number): number[] {

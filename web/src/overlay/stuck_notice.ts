@@ -1,7 +1,7 @@
 /** Where the net does not do what was asked of it: a solve ended without a shape in which all edges have their length, or a
- *  hand was held back, or a net that is too large to be at rest while it is edited is creased. Why, and the ways out; it stays
- *  for as long as that is so, or until it is dismissed. Also what came of one of these ways: edges that have grown, for as long
- *  as they are so. */
+ *  hand was held back, or a net that is too large to be at rest while it is edited is creased, or it has come to a shape that
+ *  is crumpled. Why, and the ways out; it stays for as long as that is so, or until it is dismissed. Also what came of one of
+ *  these ways: edges that have grown, for as long as they are so. */
 import { METHOD_AT_REST } from '../document/defaults';
 import type { ChebnetDocument, HandleData } from '../document/document';
 import { isTooLargeToRest } from '../document/too_large_to_rest';
@@ -12,7 +12,7 @@ import type { Choice } from '../handles/commands';
 import { unlocked } from '../handles/selection';
 import { apart, count } from '../language/numbers';
 import { panelWords } from '../language/panels';
-import { type BadCells, badCells, creasedCells } from './bad_cells';
+import { type BadCells, badCells, creasedCells, crumpledCells, NONE_BAD } from './bad_cells';
 import { placeClear } from './clear_place';
 import { CornerLimit } from './corner_limit';
 import { GoodPlaces } from './good_places';
@@ -36,11 +36,10 @@ const MOST_POINTS = 300;
 
 /** Of the history, before that has been told. */
 const BEGINNING = { names: [''], present: 0, forgotten: 0, inGesture: false };
-const NONE_BAD: BadCells = { off: new Set(), sharp: new Set() };
 
 type Unreachable = FrameData['unreachable'][number];
 
-type Standing = 'good' | 'stuck' | 'creased' | 'short' | 'grown' | 'growing';
+type Standing = 'good' | 'stuck' | 'creased' | 'crumpled' | 'short' | 'grown' | 'growing' | 'relaxing';
 
 export class StuckNotice implements Panel {
   // In the page from the start: screen readers announce changes of what is there.
@@ -53,6 +52,7 @@ export class StuckNotice implements Panel {
   readonly #grow: HTMLButtonElement;
   readonly #widen: HTMLButtonElement;
   readonly #rest: HTMLButtonElement;
+  readonly #relax: HTMLButtonElement;
   readonly #stop: HTMLButtonElement;
   readonly #lengthsBack: HTMLButtonElement;
   readonly #dismiss: HTMLButtonElement;
@@ -65,10 +65,11 @@ export class StuckNotice implements Panel {
   readonly #cornerLimit = new CornerLimit();
   /** What is wrong with the net as it stands. */
   #bad: BadCells = NONE_BAD;
-  #isGrowing = false;
+  /** A way out that takes its time. */
+  #underWay: 'growing' | 'relaxing' | null = null;
   #history: HistoryView | null = null;
   readonly #places = new GoodPlaces();
-  /** The revision of the history for which no length of edges was found. */
+  /** The revision of the history for which a way out that took its time has led nowhere. */
   #hopeless: number | null = null;
   /** What was said when it was put away. */
   #dismissed: string | null = null;
@@ -79,18 +80,20 @@ export class StuckNotice implements Panel {
     this.#events = events;
     this.#failed = failed;
     const { back, soften, grow, widen, rest, stop, lengthsBack } = panelWords.stuck;
+    const { relax } = panelWords;
     this.#back = makeButton(back, () => events.goTo(this.#lastGood!));
     this.#soften = makeButton(soften, () => events.handles.change(this.#candidates, { weight: SOFT }));
     this.#grow = makeButton(grow, () => this.#growEdges().catch(this.#failed));
     this.#widen = makeButton(widen, () => events.moveWhole());
     this.#rest = makeButton(rest, () => this.#bringToRest());
+    this.#relax = makeButton(relax.label, () => this.#relaxFurther().catch(this.#failed), { title: relax.hint });
     this.#stop = makeButton(stop, () => events.cancel());
     this.#lengthsBack = makeButton(lengthsBack, () => this.#takeLengthsBack());
     this.#dismiss = makeDismiss(() => this.#putAway());
     const ways = make(
       'div',
       { class: 'buttons' },
-      ...[this.#back, this.#soften, this.#grow, this.#widen, this.#rest, this.#stop, this.#lengthsBack],
+      ...[this.#back, this.#soften, this.#grow, this.#widen, this.#rest, this.#relax, this.#stop, this.#lengthsBack],
     );
     this.#line = make('div', { class: 'message' }, make('div', {}, this.#words, ways), this.#dismiss);
   }
@@ -134,7 +137,7 @@ export class StuckNotice implements Panel {
     }
     this.#frame = frame;
     this.#mark();
-    const isGood = frame.maxDeviation <= KEPT_DEVIATION && this.#bad.sharp.size === 0;
+    const isGood = frame.maxDeviation <= KEPT_DEVIATION && this.#badCells.length === 0;
     this.#places.note(this.#history ?? BEGINNING, isGood);
     this.#show();
     this.#place();
@@ -150,7 +153,7 @@ export class StuckNotice implements Panel {
   #mark(): void {
     const [net, frame, before] = [this.#net, this.#frame, this.#bad];
     this.#bad = net && frame ? this.#badOf(net, frame) : NONE_BAD;
-    const cells = thinnedOut([...new Set([...this.#bad.off, ...this.#bad.sharp])], MOST_MARKS);
+    const cells = thinnedOut(this.#badCells, MOST_MARKS);
     if (net && (cells.length > 0 || before !== NONE_BAD))
       this.#events.mark(
         cells.map((face) => [...net.faceVertices.subarray(net.faceStart[face], net.faceStart[face + 1])]),
@@ -158,9 +161,17 @@ export class StuckNotice implements Panel {
   }
 
   #badOf(net: OpenedNet, frame: FrameData): BadCells {
-    if (!hasLostLengths(frame, net) && this.#isTooLargeToRest)
-      return creasedCells(net, frame, this.#cornerLimit.asked(this.#document!));
-    return hasLostLengths(frame, net) || mayBeSharp(frame) ? badCells(net, frame, this.#limit) : NONE_BAD;
+    const isLost = hasLostLengths(frame, net);
+    if (!isLost && this.#isTooLargeToRest) return creasedCells(net, frame, this.#cornerLimit.asked(this.#document!));
+    const bad = isLost || mayBeSharp(frame) ? badCells(net, frame, this.#limit) : NONE_BAD;
+    // What a hand holds may yet unfold.
+    const mayBeCrumpled = frame.maxDeviation <= KEPT_DEVIATION && !frame.fellShort && !this.#history?.inGesture;
+    return mayBeCrumpled && bad.sharp.size === 0 ? crumpledCells(net, frame) : bad;
+  }
+
+  get #badCells(): number[] {
+    const { off, sharp, folded } = this.#bad;
+    return [...new Set([...off, ...sharp, ...folded])];
   }
 
   /** Whether it is for its size that the method keeps lengths alone. */
@@ -182,16 +193,18 @@ export class StuckNotice implements Panel {
   #show(): void {
     const standing = this.#standing;
     const isAsked = standing === 'stuck' || standing === 'short';
-    const isBad = standing === 'stuck' || standing === 'creased';
+    const isBad = standing === 'stuck' || standing === 'creased' || standing === 'crumpled';
+    const isUnderWay = this.#underWay !== null;
     setHidden(this.#back, !isBad || !this.#history?.canUndo || this.#lastGood === undefined);
-    setHidden(this.#rest, standing !== 'creased');
+    setHidden(this.#rest, standing !== 'creased' && (standing !== 'crumpled' || this.#isAtRest));
+    setHidden(this.#relax, standing !== 'crumpled' || !this.#isAtRest || this.#isHopeless);
     setHidden(this.#soften, standing !== 'stuck' || this.#candidates.length === 0);
     setHidden(this.#grow, !isAsked || this.#isLocal || (standing === 'stuck' && !isTooFar(this.#worst)));
     setHidden(this.#widen, !isAsked || !this.#isLocal);
-    setHidden(this.#stop, standing !== 'growing');
+    setHidden(this.#stop, !isUnderWay);
     setHidden(this.#lengthsBack, standing !== 'grown');
-    setHidden(this.#dismiss, standing === 'growing');
-    if (standing !== 'good' && standing !== 'growing') setText(this.#words, this.#reason(standing));
+    setHidden(this.#dismiss, isUnderWay);
+    if (standing !== 'good' && !isUnderWay) setText(this.#words, this.#reason(standing));
     if (standing === 'good') this.#dismissed = null;
     const isShown = standing !== 'good' && this.#words.textContent !== this.#dismissed;
     showLine(this.element, this.#line, isShown);
@@ -202,17 +215,26 @@ export class StuckNotice implements Panel {
   }
 
   get #standing(): Standing {
-    if (this.#isGrowing) return 'growing';
+    if (this.#underWay !== null) return this.#underWay;
     if (this.#frame === null || this.#net === null) return 'good';
     if (hasLostLengths(this.#frame, this.#net)) return 'stuck';
     if (this.#bad.sharp.size > 0) return this.#isTooLargeToRest ? 'creased' : 'stuck';
     if (this.#frame.fellShort) return 'short';
+    if (this.#bad.folded.size > 0) return 'crumpled';
     return this.#scale === this.#grown?.to ? 'grown' : 'good';
   }
 
   /** What may not move keeps its edges as they are. */
   get #isLocal(): boolean {
     return this.#document?.locality !== undefined;
+  }
+
+  get #isAtRest(): boolean {
+    return this.#document?.method === METHOD_AT_REST;
+  }
+
+  get #isHopeless(): boolean {
+    return this.#hopeless === this.#history?.revision;
   }
 
   get #scale(): number {
@@ -236,15 +258,27 @@ export class StuckNotice implements Panel {
 
   async #growEdges(): Promise<void> {
     const { growing } = panelWords.stuck;
-    this.#isGrowing = true;
     const from = this.#scale;
     const tell = (scale: number): void => setText(this.#words, growing(percentOf(scale)));
     tell(from);
+    await this.#goWay('growing', async () => this.#take(await this.#events.adaptLengths(tell), from));
+  }
+
+  async #relaxFurther(): Promise<void> {
+    const tell = (done: number): void => setText(this.#words, panelWords.relax.looking(done));
+    tell(0);
+    await this.#goWay('relaxing', async () => {
+      if ((await this.#events.searchRest(tell)) === null) this.#hopeless = this.#history?.revision ?? null;
+    });
+  }
+
+  async #goWay(way: 'growing' | 'relaxing', go: () => Promise<void>): Promise<void> {
+    this.#underWay = way;
     this.#show();
     try {
-      this.#take(await this.#events.adaptLengths(tell), from);
+      await go();
     } finally {
-      this.#isGrowing = false;
+      this.#underWay = null;
       this.#show();
     }
   }
@@ -277,9 +311,11 @@ export class StuckNotice implements Panel {
   }
 
   #reason(standing: Standing): string {
-    const { creased, fellShort, localFellShort, grown, shrunk, leftSo, noLength, noShape, tooSharp } = panelWords.stuck;
+    const { creased, crumpled, noSmoother, fellShort, localFellShort } = panelWords.stuck;
+    const { grown, shrunk, leftSo, noLength, noShape, tooSharp } = panelWords.stuck;
     if (standing === 'creased') return creased(count(this.#bad.sharp.size), this.#cornerLimit.asked(this.#document!));
-    if (standing !== 'grown' && this.#hopeless === this.#history?.revision) return noLength;
+    if (standing === 'crumpled') return this.#isHopeless ? noSmoother : crumpled;
+    if (standing !== 'grown' && this.#isHopeless) return noLength;
     if (standing === 'short' && this.#isLocal) return localFellShort;
     if (standing === 'short') return fellShort(this.#isAtLimit ? this.#limit : null);
     if (standing === 'grown') return (this.#scale > 1 ? grown : shrunk)(percentOf(this.#scale));

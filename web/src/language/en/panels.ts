@@ -647,6 +647,9 @@ export const panels = {
     /** `limit`: in degrees. */
     creased: (cells: string, limit: number) =>
       `A net this large keeps only its lengths while it is edited. Cells with corners sharper than ${limit}°: ${cells}.`,
+    crumpled: 'The net is crumpled: at the marked cells it folds by 60° more than it did before it was edited.',
+    noSmoother:
+      'No shape at rest that is less strained was found. Where handles move less, or are soft, the net may stay smooth.',
     /** `limit`: in degrees, if corners are at it; null: none is. */
     fellShort: (limit: number | null) =>
       `With edges of this length${limit === null ? '' : ` and no corner sharper than ${limit}°`} the net reaches no farther.`,

@@ -815,6 +815,8 @@ export const panels: Widened<typeof en> = {
     growing: (percent) => `边最少要变长多少？正在尝试 ${percent}%。`,
     stop: '停止',
     creased: (cells, limit) => `这么大的网在编辑时只保持边长，有 ${cells} 个格子的角小于 ${limit}°。`,
+    crumpled: '网起皱了：在标出的格子处，折角比编辑前大了 60° 以上。',
+    noSmoother: '没有找到受力更小的静止形状。手柄少移动一些，或使其变软，网也许能保持平滑。',
     fellShort: (limit) => `以现在的边长${limit === null ? '' : `，且没有小于 ${limit}° 的角`}，网够不到那么远。`,
     localFellShort: '允许移动的部分够不到那么远。',
     noLength: '边长增至四倍也到不了那里。',
