@@ -4,6 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <span>
 #include <string>
@@ -66,49 +67,38 @@ struct Place {
 /// Unknowns: two coordinates of each regular vertex, and integers: two of each branch and two of each singular vertex.
 class Fit {
 public:
-    Fit(const Surface& surface, const DirectionField& field, double length, const std::vector<bool>& on_lines)
-        : m_surface(surface),
-          m_field(field),
-          m_length(length),
-          m_is_regular(singular_count(field) == 0),
-          m_cut(surface, field) {
+    Fit(const Surface& surface, const DirectionField& field, const std::vector<bool>& on_lines)
+        : m_surface(surface), m_field(field), m_is_regular(singular_count(field) == 0), m_cut(surface, m_field) {
         number_unknowns();
         place_corners();
         if (!on_lines.empty()) hold(on_lines);
         check_integers();
         list_rows();
-        m_gradients.assign(static_cast<std::size_t>(surface.face_count()), Eigen::Matrix2d::Identity() / length);
+        assemble();
+        reduce_to_integers();
     }
 
-    /// `smallest_angle`: of cells.
-    GridMap run(double slack, double smallest_angle, const std::function<void()>& go_on) {
-        assemble();
-        const Eigen::MatrixXi basis = integer_null_space(m_integers, m_conditions);
-        const Eigen::SparseMatrix<double> N = basis.cast<double>().sparseView();
-        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(m_A);
+    /// `directions`: of the field. `smallest_angle`: of cells.
+    GridMap run(const Positions& directions, double length, double slack, double smallest_angle,
+                const std::function<void()>& go_on) {
+        aim_at_squares(directions, length);
         Eigen::VectorXd integers = Eigen::VectorXd::Zero(m_integers);
-        const auto reals = [&] { return Eigen::VectorXd(factor.solve(m_b - m_C * integers)); };
-        if (basis.cols() == 0) return map(reals(), integers);
+        const auto reals = [&] { return Eigen::VectorXd(m_factor.solve(m_b - m_C * integers)); };
+        if (m_N.cols() == 0) return map(reals(), integers);
 
-        // The energy at the best real coordinates for given integers N y (Schur complement).
-        const Eigen::SparseMatrix<double> coupling = m_C * N;
-        Eigen::MatrixXd S =
-            N.transpose() * Eigen::MatrixXd(m_D * N) - coupling.transpose() * factor.solve(Eigen::MatrixXd(coupling));
-        S = (S + S.transpose().eval()) / 2;
-        S.diagonal().array() += k_grid_shift * (1 + S.diagonal().maxCoeff());
         const auto slope = [&] {
-            return Eigen::VectorXd(coupling.transpose() * factor.solve(m_b) - N.transpose() * m_d);
+            return Eigen::VectorXd(m_coupling.transpose() * m_factor.solve(m_b) - m_N.transpose() * m_d);
         };
         const bool shears = smallest_angle < std::numbers::pi / 2;
         if (shears) {  // how many cells there are to be around shows while they need not be whole
-            const Eigen::LDLT<Eigen::MatrixXd> inverse(S);
+            const Eigen::LDLT<Eigen::MatrixXd> inverse(m_S);
             const double open = m_is_regular ? std::max(k_open_cell, smallest_angle) : smallest_angle;
             shear_in_rounds(m_is_regular ? k_shearing_rounds : k_rounds_to_choose, go_on, [&](double part) {
-                integers = -N * inverse.solve(slope());
+                integers = -m_N * inverse.solve(slope());
                 return shear(reals(), integers, std::lerp(open, smallest_angle, part));
             });
         }
-        integers = N * fitting_integers(S, slope(), shears ? 0 : slack);
+        integers = m_N * fitting_integers(m_S, slope(), shears ? 0 : slack);
         if (shears)
             shear_in_rounds(m_is_regular ? k_shearing_rounds : k_rounds_when_chosen, go_on,
                             [&](double) { return shear(reals(), integers, smallest_angle); });
@@ -348,12 +338,30 @@ private:
         m_D.setZero(m_integers, m_integers);
         for (int s = 0; s < 3 * m_surface.face_count(); ++s)
             for (int axis = 0; axis < 2; ++axis) add_row(row(s, axis), weight(s), A, C);
-        assemble_targets();
         for (int k = 0; k < m_reals; ++k) A.emplace_back(k, k, k_grid_shift);
         m_A.resize(m_reals, m_reals);
         m_A.setFromTriplets(A.begin(), A.end());
         m_C.resize(m_reals, m_integers);
         m_C.setFromTriplets(C.begin(), C.end());
+    }
+
+    /// The energy at the best real coordinates for given integers N y (Schur complement).
+    void reduce_to_integers() {
+        m_N = integer_null_space(m_integers, m_conditions).cast<double>().sparseView();
+        m_factor.compute(m_A);
+        if (m_N.cols() == 0) return;
+        m_coupling = m_C * m_N;
+        m_S = m_N.transpose() * Eigen::MatrixXd(m_D * m_N) -
+              m_coupling.transpose() * m_factor.solve(Eigen::MatrixXd(m_coupling));
+        m_S = (m_S + m_S.transpose().eval()) / 2;
+        m_S.diagonal().array() += k_grid_shift * (1 + m_S.diagonal().maxCoeff());
+    }
+
+    void aim_at_squares(const Positions& directions, double length) {
+        m_field.directions = directions;
+        m_length = length;
+        m_gradients.assign(static_cast<std::size_t>(m_surface.face_count()), Eigen::Matrix2d::Identity() / length);
+        assemble_targets();
     }
 
     void assemble_targets() {
@@ -501,8 +509,8 @@ private:
     }
 
     const Surface& m_surface;
-    const DirectionField& m_field;
-    double m_length;
+    DirectionField m_field;
+    double m_length = 0;
     bool m_is_regular;  // there are no singular vertices
     FieldCut m_cut;
     int m_reals = 0, m_integers = 0;
@@ -516,6 +524,10 @@ private:
     Eigen::SparseMatrix<double> m_A, m_C;
     Eigen::MatrixXd m_D;
     Eigen::VectorXd m_b, m_d;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factor;  // of A
+    Eigen::SparseMatrix<double> m_N;                              // integers that fit together are N y
+    Eigen::SparseMatrix<double> m_coupling;                       // C N
+    Eigen::MatrixXd m_S;                                          // the form of the energy in y
 };
 
 }  // namespace
@@ -531,7 +543,14 @@ GridPoint turned(const GridPoint& p, int quarter_turns) {
 
 GridMap fit_grid(const Surface& surface, const DirectionField& field, double length, double slack,
                  const std::vector<bool>& on_lines, double smallest_angle, const std::function<void()>& go_on) {
-    return Fit(surface, field, length, on_lines).run(slack, smallest_angle, go_on);
+    return Fit(surface, field, on_lines).run(field.directions, length, slack, smallest_angle, go_on);
+}
+
+GridFitter grid_fitter(const Surface& surface, const DirectionField& field) {
+    return [fit = std::make_shared<Fit>(surface, field, std::vector<bool>())](const DirectionField& other,
+                                                                              double length, double smallest_angle) {
+        return fit->run(other.directions, length, 0, smallest_angle, nullptr);
+    };
 }
 
 }  // namespace chebnet

@@ -41,4 +41,12 @@ GridMap fit_grid(const Surface& surface, const DirectionField& field, double len
                  const std::vector<bool>& on_lines = {}, double smallest_angle = std::numbers::pi / 2,
                  const std::function<void()>& go_on = nullptr);
 
+/// Makes such maps, with nothing to be on lines, along a field and along those that it is turned() to, of cells of any
+/// length.
+using GridFitter = std::function<GridMap(const DirectionField& field, double length, double smallest_angle)>;
+
+/// One for this field: most of the work is the same for all turns, and done once. The surface has to outlive it. Throws
+/// Error as fit_grid() does.
+GridFitter grid_fitter(const Surface& surface, const DirectionField& field);
+
 }  // namespace chebnet

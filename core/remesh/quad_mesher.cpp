@@ -44,6 +44,9 @@ constexpr double k_clearly_smaller = 0.95;
 // long to choose.
 constexpr double k_small_error = 0.015;
 constexpr int k_few_singular_vertices = 100;
+// Of its smoothing, that of a field which is tried where the usual one leaves more: it has singular vertices at smaller
+// bumps, too.
+constexpr double k_rougher = 0.3;
 constexpr int k_mesh_digits = 4;  // of coordinates in messages
 
 using Border = RemeshOptions::Border;
@@ -140,14 +143,19 @@ std::vector<bool> QuadMesher::followed_border(const Surface& surface) const {
 
 Mesh QuadMesher::mesh_along(double size, double smoothing, bool turns) const {
     m_clock.begin(RemeshPhase::field);
-    Course course{field_along(smoothing)};
-    const int singular = singular_count(course.field);
+    Course course{checked_field(smoothing)};
+    if (turns && singular_count(course.field) > 0) course = best_course(std::move(course), smoothing);
+    m_clock.begin(RemeshPhase::grid);
+    return checked_mesh(course, size);
+}
+
+DirectionField QuadMesher::checked_field(double smoothing) const {
+    DirectionField field = field_along(smoothing);
+    const int singular = singular_count(field);
     if (singular > k_most_singular_vertices)
         throw Error(ErrorCode::bad_option, "the surface is so rough that directions on it have " +
                                                std::to_string(singular) + " singular vertices");
-    if (turns && singular > 0) course = best_course(course.field);
-    m_clock.begin(RemeshPhase::grid);
-    return checked_mesh(course, size);
+    return field;
 }
 
 DirectionField QuadMesher::field_along(double smoothing) const {
@@ -160,21 +168,39 @@ DirectionField QuadMesher::field_along(double smoothing) const {
 
 bool QuadMesher::may_turn() const { return !m_has_border && m_creases.sides.empty() && !(m_wishes && m_wishes->only); }
 
+/// About bumps without singular vertices cells shear, and crumple where they can shear no more. Where much is left to
+/// be folded away, a field that has some at smaller bumps is tried, too.
+QuadMesher::Course QuadMesher::best_course(Course usual, double smoothing) const {
+    Course best = best_turn(std::move(usual));
+    const bool may_be_rougher = smoothing > 0 && smoothing <= 1 && !m_options.fewest;
+    if (best.small_error <= k_small_error || !may_be_rougher) return best;
+    m_clock.stand_at(static_cast<double>(k_turns_tried) / (k_turns_tried + 2));
+    Course rougher{field_along(k_rougher * smoothing)};
+    const int singular = singular_count(rougher.field);
+    if (singular > 0 && singular <= k_few_singular_vertices) rougher = best_turn(std::move(rougher));
+    m_clock.go_on();
+    return rougher.small_error < k_clearly_smaller * best.small_error ? rougher : best;
+}
+
 /// How well edges can be evened out hangs on which net lines lead from one singular vertex to another, and so on how
 /// the field is turned: what is left is folded away in the end. Where much is left, other whole numbers of cells
 /// between them may fit edges of one length better than they fit squares.
-QuadMesher::Course QuadMesher::best_course(const DirectionField& field) const {
-    Course best{field};
-    double least = std::numeric_limits<double>::infinity();
+QuadMesher::Course QuadMesher::best_turn(Course course) const {
+    course.grids = grid_fitter(m_even.surface, course.field);
+    Course best = course;
     for (int k = 0; k < k_turns_tried; ++k) {
         m_clock.tell(static_cast<double>(k + 1) / (k_turns_tried + 2));
-        Course other{turned(m_even.surface, field, k * std::numbers::pi / 2 / k_turns_tried)};
-        const double error = small_error(other);
-        if (error < k_clearly_smaller * least) least = error, best = std::move(other);
+        Course other = course;
+        other.field = turned(m_even.surface, course.field, k * std::numbers::pi / 2 / k_turns_tried);
+        other.small_error = small_error(other);
+        if (other.small_error < k_clearly_smaller * best.small_error) best = std::move(other);
     }
-    const bool may_shear = least > k_small_error && singular_count(field) <= k_few_singular_vertices;
-    if (may_shear) best.shears = small_error({best.field, true}) < k_clearly_smaller * least;
-    return best;
+    const bool may_shear = best.small_error > k_small_error && singular_count(best.field) <= k_few_singular_vertices;
+    if (!may_shear) return best;
+    Course sheared = best;
+    sheared.shears = true;
+    sheared.small_error = small_error(sheared);
+    return sheared.small_error < k_clearly_smaller * best.small_error ? sheared : best;
 }
 
 /// Of edges that are evened out, in a small net; infinite if there is none.
@@ -203,8 +229,10 @@ GridMap QuadMesher::grid_along(const Course& course, double length) const {
     if (m_holds_lines)
         return fit_grid(triangles, field, length, m_options.length > 0 ? 0 : k_slack,
                         either(m_even.creases, held_border(triangles)));
-    if (course.shears)
-        return fit_grid(triangles, field, length, 0, {}, std::max(k_singular_grid_angle, m_options.smallest_angle));
+    if (course.grids)
+        return course.grids(
+            field, length,
+            course.shears ? std::max(k_singular_grid_angle, m_options.smallest_angle) : std::numbers::pi / 2);
     // At 45° to the border cells shear along diagonals, which follow it.
     const bool may_shear =
         m_options.border == Border::across && m_has_border && m_creases.sides.empty() && singular_count(field) == 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -46,8 +47,9 @@ public:
     /// On the even triangles. `smoothing`: as RemeshOptions::smoothing.
     DirectionField field_along(double smoothing) const;
     /// Of cells of this size, 1 for as many as are asked for. `turns`: the field as a whole, to where edges can be
-    /// evened out best, and lets cells shear if that helps; only if may_turn(). Throws Error bad_option where no mesh
-    /// comes of it that has the surface's topology, too_large where lines leave too much to choose, and as Net does.
+    /// evened out best, and lets cells shear or the field be rougher if that helps; only if may_turn(). Throws Error
+    /// bad_option where no mesh comes of it that has the surface's topology, too_large where lines leave too much to
+    /// choose, and as Net does.
     Mesh mesh_along(double size, double smoothing, bool turns) const;
     /// The same of few cells, to try something.
     Mesh small_mesh() const { return mesh_along(small_size(), m_options.smoothing, false); }
@@ -60,10 +62,14 @@ private:
     /// A field, and whether cells along it may shear before whole numbers of them are chosen.
     struct Course {
         DirectionField field;
+        GridFitter grids = nullptr;  ///< of this field and those turned, if several are tried
         bool shears = false;
+        double small_error = std::numeric_limits<double>::infinity();  ///< see small_error()
     };
 
-    Course best_course(const DirectionField& field) const;
+    Course best_course(Course usual, double smoothing) const;
+    Course best_turn(Course course) const;
+    DirectionField checked_field(double smoothing) const;
     double small_error(const Course& course) const;
     double small_size() const;
     Mesh checked_mesh(const Course& course, double size) const;

@@ -37,6 +37,8 @@ struct RemeshOptions {
     double smallest_angle = k_usual_shear_limit;  ///< no corner is to be sharper, nor blunter than π less it; see
                                                   ///< Remesh::sharp_quads
     /// How large a bump may be that makes no singular vertices: 1 as usual, 0 for none, 10 for few singular vertices.
+    /// Up to 1, smaller bumps make some on closed surfaces if edges can be evened out clearly better so, unless
+    /// vertices are to be few.
     double smoothing = 1;
     /// As few singular vertices as a net can do with whose corners keep the limit, that is no more than 0.2 edges away
     /// from the surface on average and lies on it about as smoothly as the usual one: cells shear where others would

@@ -431,6 +431,30 @@ TEST_CASE("A net over a rough scan is folded no more than one over the shape wit
     CHECK(sharp_folds(rough, rough.rest_positions(), k_fold) <= smooth_folds + 8);
 }
 
+TEST_CASE("Limbs get singular vertices of their own where cells would be sheared more without", "[large]") {
+    const Surface tetrapod(
+        samples::implicit_surface(40, {-2.2, -2.2, -2.2}, {2.2, 2.2, 2.2}, [](const Eigen::Vector3d& p) {
+            double sum = 0;
+            for (const Eigen::Vector3d& tip : {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(-1, -1, 1),
+                                               Eigen::Vector3d(-1, 1, -1), Eigen::Vector3d(1, -1, -1)})
+                sum += std::exp(6 * (0.5 - (p - std::clamp(p.dot(tip) / 3, 0.0, 1.0) * tip).norm()));
+            return 1 - sum;
+        }));
+    const auto with_smoothing = [&](double smoothing) {
+        RemeshOptions options = of_cells(2000);
+        options.smoothing = smoothing;
+        return remeshed(tetrapod, options, 2).net;
+    };
+    const auto sheared_part = [](const Net& net) {
+        const double limit = std::numbers::pi / 6;
+        return sharp_quads(net, net.rest_positions(), std::numbers::pi / 2 - limit) /
+               static_cast<double>(net.face_count());
+    };
+    const Net usual = with_smoothing(1), no_rougher = with_smoothing(1.01);
+    CHECK(singular_count(usual) > singular_count(no_rougher));
+    CHECK(sheared_part(usual) < 0.95 * sheared_part(no_rougher));
+}
+
 TEST_CASE(
     "Of cells in a row one or two that hang at a border are left out, a narrow part and a piece of its own stay") {
     using Place = std::pair<int, int>;
@@ -1185,6 +1209,21 @@ TEST_CASE("A field that is turned as a whole stays in the triangles' planes, and
     }
     CHECK(other.turns == field.turns);
     CHECK(other.holonomy == field.holonomy);
+}
+
+TEST_CASE("A fitter of grids makes the same along a field that is turned as if it were made for that alone") {
+    const Surface surface(samples::sphere(12));
+    const DirectionField field = smoothest_field(surface, {});
+    const GridFitter fitted = grid_fitter(surface, field);
+    const double sheared = 50 * samples::k_degree;
+    for (const auto& [angle, smallest_angle] : {std::pair(0.0, sheared), {0.3, std::numbers::pi / 2}, {0.6, sheared}}) {
+        CAPTURE(angle);
+        const DirectionField other = turned(surface, field, angle);
+        const GridMap map = fitted(other, 0.2, smallest_angle);
+        const GridMap alone = fit_grid(surface, other, 0.2, 0, {}, smallest_angle);
+        CHECK(map.corners == alone.corners);
+        CHECK(map.shifts == alone.shifts);
+    }
 }
 
 TEST_CASE("Eight singular vertices wished for at a cube's corners give a sphere the cube's pattern, and no others") {
