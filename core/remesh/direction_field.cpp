@@ -193,10 +193,11 @@ Eigen::VectorXd turn(Connection& connection, const Surface& surface, const std::
 /// vertex.
 class Smoother {
 public:
-    Smoother(const Surface& surface, const Connection& connection) : m_size(2 * surface.vertex_count()) {
+    Smoother(const Surface& surface, const Connection& connection, bool has_targets)
+        : m_size(2 * surface.vertex_count()) {
         std::vector<Eigen::Triplet<double>> entries;
         m_target.setZero(m_size);
-        for (int v = 0; v < surface.vertex_count(); ++v) {
+        for (int v = 0; has_targets && v < surface.vertex_count(); ++v) {
             m_target[2 * v] = connection.weights[v] * connection.targets[v].real();
             m_target[2 * v + 1] = connection.weights[v] * connection.targets[v].imag();
             for (int k = 0; k < 2; ++k)
@@ -291,6 +292,20 @@ Positions gradients(const Surface& surface, const Eigen::VectorXd& of_face) {
     return result;  // times twice the area of the triangle
 }
 
+/// The field of a flat connection may turn as a whole, piece by piece: to where it comes nearest to its targets. In the
+/// solve itself targets that contradict each other would put singular vertices where none are wished for.
+void turn_to_targets(std::vector<Complex>& at_vertices, const Surface& surface, const Connection& connection) {
+    const std::vector<int> of_face = surface.components();
+    std::vector<Complex> sums(1 + static_cast<std::size_t>(*std::max_element(of_face.begin(), of_face.end())));
+    const auto piece_of = [&](std::size_t v) {
+        return of_face[Surface::face_of(surface.first_side(static_cast<int>(v)))];
+    };
+    for (std::size_t v = 0; v < at_vertices.size(); ++v)
+        sums[piece_of(v)] += connection.weights[v] * times(connection.targets[v], std::conj(at_vertices[v]));
+    for (std::size_t v = 0; v < at_vertices.size(); ++v)
+        at_vertices[v] = times(at_vertices[v], unit(sums[piece_of(v)]));
+}
+
 /// A field without singular vertices may turn as a whole. Its scale changes along the gradient of the potential, by
 /// which nothing can make up in lines that run along or across it: their edges would have other lengths. At 45° to it
 /// cells shear, and edges stay as they are: so a torus has a Chebyshev net.
@@ -330,7 +345,10 @@ DirectionField smoothest_field(const Surface& surface, const FieldOptions& optio
     if (options.wishes) potential = turn(connection, surface, frames, followed, *options.wishes);
     const bool is_free = std::all_of(connection.targets.begin(), connection.targets.end(),
                                      [](Complex target) { return target == Complex(0); });
-    std::vector<Complex> at_vertices = Smoother(surface, connection).run();
+    const bool has_creases = std::find(options.creases.begin(), options.creases.end(), true) != options.creases.end();
+    const bool is_flat = options.wishes && options.wishes->only && !has_creases;
+    std::vector<Complex> at_vertices = Smoother(surface, connection, !is_flat).run();
+    if (is_flat && !is_free) turn_to_targets(at_vertices, surface, connection);
     if (options.wishes && options.wishes->only && is_free)
         turn_as_a_whole(at_vertices, surface, frames, connection.is_pinned, potential);
     DirectionField field;
