@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -95,12 +96,15 @@ bool NetTrials::try_all() {
     const auto try_sizes = [&](double smoothing) {
         return std::any_of(k_sizes.begin(), k_sizes.end(), [&](double size) { return try_field(size, smoothing); });
     };
+    // Where the singular vertices are given, so is the field.
+    const bool is_given = m_mesher.wishes() && m_mesher.wishes()->only;
+    const std::span<const double> smoothings(k_smoothings.data(), is_given ? 1 : k_smoothings.size());
     const auto try_smoothings = [&](double size) {
-        return std::any_of(k_smoothings.begin(), k_smoothings.end(),
+        return std::any_of(smoothings.begin(), smoothings.end(),
                            [&](double smoothing) { return try_field(size, smoothing); });
     };
     // What a given length lacks are cells, rather than smoothness.
-    return m_options.length > 0 ? std::any_of(k_smoothings.begin(), k_smoothings.end(), try_sizes)
+    return m_options.length > 0 ? std::any_of(smoothings.begin(), smoothings.end(), try_sizes)
                                 : std::any_of(k_sizes.begin(), k_sizes.end(), try_smoothings);
 }
 
