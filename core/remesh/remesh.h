@@ -20,8 +20,9 @@ struct RemeshOptions {
     /// cells fall; or its net lines run up to the border at 45°. Then the border may be longer or shorter than those
     /// beside it, for which cells shear: a ring is covered without singular vertices.
     enum class Border {
-        fitting,  ///< as fits best: the others are tried with fewer cells, and the net that grows from one place (see
-                  ///< one_piece), unless vertices or lines are wished for; not all where one is good. Measured are what
+        fitting,  ///< as fits best: the others are tried with fewer cells, and unless vertices or lines are wished for
+                  ///< the net that grows from one place (see one_piece), and nets that end in steps with singular
+                  ///< vertices where curvature asks for them (see Cones); not all where one is good. Measured are what
                   ///< is covered, how far net and surface are apart, and their borders, how much cells are tilted
                   ///< against the surface, corners sharper than 40 degrees, folds, and gaps. So a net that would
                   ///< crumple is left open where it locks

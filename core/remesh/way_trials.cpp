@@ -17,6 +17,7 @@
 #include "drape/tilt.h"
 #include "remesh/border_distance.h"
 #include "remesh/border_sides.h"
+#include "remesh/cones.h"
 #include "remesh/creases.h"
 #include "remesh/one_piece.h"
 #include "remesh/prepared_surface.h"
@@ -26,6 +27,8 @@ namespace chebnet {
 
 namespace {
 
+// What cones leave, see Cones: more and more cells shear up to their limit, or cones come near the border.
+constexpr double k_stretches[] = {0.12, 0.08};
 // Ways are told apart by nets of so many cells, or of those asked for if they are no more.
 constexpr int k_trial_cells = 1500;
 // Only what is clearly better is worth another net, and survives rounding.
@@ -33,10 +36,11 @@ constexpr double k_clearly_less = 0.95;
 // What counts against a net, where a mean distance of one edge from the surface counts 1: area that is not covered, of
 // all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians; how much
 // cells are tilted against the surface, in radians, on average; borders of gaps and crumpled edges, by their length,
-// where that of a net line across all of the net counts 1. A net with less than k_good_cost in all needs no rival.
+// where that of a net line across all of the net counts 1. A net with less than k_good_cost in all needs no rival, one
+// with less than k_fair_cost none with cones.
 constexpr double k_gap_weight = 5, k_border_weight = 0.05, k_sharp_weight = 0.1, k_tilt_weight = 1;
 constexpr double k_open_weight = 0.1, k_fold_weight = 1;
-constexpr double k_good_cost = 0.08;
+constexpr double k_good_cost = 0.08, k_fair_cost = 0.12;
 constexpr double k_open_angle = 40 * std::numbers::pi / 180;
 
 class WayTrials {
@@ -50,7 +54,9 @@ public:
 
     Remesh run() {
         for (std::size_t k = 0; k < m_ways.size(); ++k) {
+            if (is_needless(m_ways[k])) continue;
             try_way(k);
+            if (m_ways[k].stretch > 0) m_cone_count = cones(m_ways[k].stretch).size();
             if (k + 1 < m_rivals || !best()->is_good()) continue;
             finish(best());
             if (m_finished.is_good()) return std::move(*m_finished.made);
@@ -65,6 +71,7 @@ private:
     struct Way {
         std::optional<Border> border;  // none: in one piece
         double crease = 0;             // beside those that are asked for
+        double stretch = 0;            // singular vertices are cones that leave as much; 0: as the field has them
     };
     // Each takes its time: more are made only where all so far are crumpled.
     static constexpr int k_most_finals = 2, k_most_finals_if_crumpled = 4;
@@ -97,8 +104,31 @@ private:
             if (outer_border_sides(surface) != border_sides(surface)) m_ways.push_back({Border::outer});
         }
         m_rivals = m_ways.size();
-        if (fits_border)
-            for (const Border other : {Border::across, Border::never}) m_ways.push_back({other});
+        if (!fits_border) return;
+        m_ways.push_back({Border::across});
+        if (is_free())
+            for (const double stretch : k_stretches) m_ways.push_back({Border::never, 0, stretch});
+        m_ways.push_back({Border::never});
+    }
+
+    /// Cones take the place of steps with the singular vertices of a field where they lead to a smooth net, and are not
+    /// tried where another way leads to a fair one, or those before had as many.
+    bool is_needless(const Way& way) {
+        if (way.stretch > 0)
+            return has_trial([](const Trial& trial) { return trial.folds == 0 && trial.cost < k_fair_cost; }) ||
+                   cones(way.stretch).size() == m_cone_count;
+        return way.border == Border::never &&
+               has_trial([](const Trial& trial) { return trial.way.stretch > 0 && trial.folds == 0; });
+    }
+
+    template <typename Condition>
+    bool has_trial(Condition condition) const {
+        return std::any_of(m_trials.begin(), m_trials.end(), condition);
+    }
+
+    /// Of wishes that ask for singular vertices or lines.
+    bool is_free() const {
+        return m_options.singular.is_empty() && m_options.crease == 0 && m_options.marked_creases.empty();
     }
 
     void try_way(std::size_t k) {
@@ -138,7 +168,7 @@ private:
         for (auto trial = m_trials.begin(); trial != m_trials.end(); ++trial) {
             const bool is_smooth = trial->folds == 0 && promises_more(*trial);
             if (is_smooth && (smooth == m_trials.end() || trial->rank() < smooth->rank())) smooth = trial;
-            if (!trial->made && trial->way.border && !are_few()) failed = trial;
+            if (trial->failure && trial->way.border && !are_few()) failed = trial;
         }
         return smooth == m_trials.end() && m_finished.folds > k_many_folds ? failed : smooth;
     }
@@ -174,7 +204,9 @@ private:
             options.border = *way.border;
             options.crease = std::max(options.crease, way.crease);
             try {
+                if (way.stretch > 0) options.singular = {cones(way.stretch), {}, true};
                 trial.made = remesh_one_way(m_guide, options, progress);
+                if (way.stretch > 0) trial.made->kept = {};  // nobody has wished for them
             } catch (const Error&) {
                 trial.failure = std::current_exception();
             }
@@ -191,8 +223,7 @@ private:
 
     /// Nothing where wishes ask for more than that.
     std::optional<Remesh> made_in_one_piece(const RemeshOptions& options, const RemeshProgress& progress) const {
-        const bool is_free = options.singular.is_empty() && options.crease == 0 && options.marked_creases.empty();
-        if (!is_free) return std::nullopt;
+        if (!is_free()) return std::nullopt;
         if (progress) progress(RemeshPhase::fit, 0);
         Stopwatch watch;
         std::optional<Net> net =
@@ -202,6 +233,15 @@ private:
         Remesh result{std::move(*net), {}, {}, 0, {}};
         result.milliseconds[static_cast<int>(RemeshPhase::fit)] = watch.milliseconds();
         return result;
+    }
+
+    std::vector<WishedSingular> cones(double stretch) {
+        try {
+            if (!m_cones) m_cones.emplace(m_guide->surface(), m_guide->tree());
+            return m_cones->placed(stretch);
+        } catch (const Error&) {  // what is too thin for even triangles
+            return {};
+        }
     }
 
     double cost(const Net& net, int folds) const {
@@ -218,7 +258,9 @@ private:
     const RemeshProgress& m_progress;
     double m_cells;
     std::vector<Way> m_ways;
-    std::size_t m_rivals;  // so many of the first are tried at least
+    std::optional<Cones> m_cones;  // once they are needed
+    std::size_t m_cone_count = 0;  // of those tried last
+    std::size_t m_rivals;          // so many of the first are tried at least
     Stopwatch m_watch;
     std::vector<Trial> m_trials;
     int m_tries = 0;               // to make nets as asked for
