@@ -192,15 +192,30 @@ test('editing goes on meanwhile, and Cancel works at once', async () => {
   expect(await table()).toEqual(after);
 });
 
-test('a phone has room for it', async () => {
-  await visit.page.setViewportSize({ width: 390, height: 844 });
+test.each([
+  [360, 740],
+  [390, 844],
+])('a phone of %i by %i has room for it, and for the net above it', async (width, height) => {
+  const { page } = visit;
+  await page.setViewportSize({ width, height });
   await edit(SHAPE);
-  await visit.page.getByRole('button', { name: 'Controls' }).click();
+  await page.getByRole('button', { name: 'Controls' }).click();
   await compare();
   await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
-  const overflow = await visit.page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+  await drawn(page);
+  await page.screenshot({ path: join(OUTPUT, `compare-phone-${width}.png`) });
+  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
   expect(overflow).toBeLessThanOrEqual(0);
-  await visit.page.screenshot({ path: join(OUTPUT, 'compare-phone.png') });
+  const [left, right, top] = await page.evaluate(() => {
+    const { stats, screenPosition } = window.chebnet;
+    const places = Array.from({ length: stats().vertices }, (_, vertex) => screenPosition(vertex));
+    const [xs, ys] = [places.map(({ x }) => x), places.map(({ y }) => y)];
+    return [Math.min(...xs), Math.max(...xs), Math.min(...ys)] as const;
+  });
+  expect(right - left).toBeGreaterThan(width / 2);
+  const tools = (await page.locator('.toolbar:not(.selection-bar)').boundingBox())!;
+  expect(top).toBeGreaterThan(tools.y + tools.height);
+  expect(await page.locator('.legend').isVisible()).toBe(false);
 });
 
 test.each([
