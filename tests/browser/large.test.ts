@@ -1,5 +1,6 @@
 /** Nets of up to 100,000 vertices: slower than others, but the page lives. */
 import { beforeEach, expect, test } from 'vitest';
+import { en } from '../../web/src/language/en';
 import { load } from '../wasm/load';
 import { distance, dragBy, fan } from './geometry';
 import type { Script, Visit } from './page';
@@ -148,6 +149,43 @@ test('a solve that would take minutes shows how it goes and can be cancelled, al
     await script.settled();
     expect((await script.stats()).status).toBe('running');
     await page.locator('.status-words', { hasText: 'Paused' }).waitFor();
+  }
+});
+
+test('beside Stop all that the status can say is read', async () => {
+  const { page } = visit;
+  const recipe = 'vault:vertices=4000';
+  const { dragged: vertex, meanLength: length } = whatIs(recipe);
+  await script.open({ recipe });
+  await script.settled();
+  const row = page.locator('.status');
+  const heightOf = async () => (await row.boundingBox())!.height;
+  const heights = new Map<number, number>();
+  for (const width of [768, 1366]) {
+    await page.setViewportSize({ width, height: 500 });
+    heights.set(width, await heightOf());
+  }
+  await page.evaluate(() =>
+    window.chebnet.setOptions({
+      method: 'gradient_descent',
+      max_iterations: 1e6,
+      energy_tolerance: 0,
+      gradient_tolerance: 0,
+    }),
+  );
+  const [x, y, z] = await placeOf(vertex);
+  await script.move(vertex, [x, y, z - 10 * length]);
+  await row.getByRole('button', { name: 'Stop', exact: true }).waitFor();
+  for (const [width, height] of heights) {
+    await page.setViewportSize({ width, height: 500 });
+    for (const words of Object.values(en.status)) {
+      const isCut = await page.locator('.status-words').evaluate((element, text) => {
+        element.textContent = text;
+        return element.scrollHeight > element.clientHeight;
+      }, words);
+      expect(isCut, words).toBe(false);
+      expect(await heightOf(), words).toBe(height);
+    }
   }
 });
 
