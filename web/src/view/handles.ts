@@ -248,7 +248,7 @@ class Shape {
     depthFunc: GreaterDepth,
     depthWrite: false,
     transparent: true,
-    opacity: 0.35,
+    opacity: 0.25,
   });
   #meshes: InstancedMesh[] = [];
   #capacity = 0;
@@ -320,7 +320,8 @@ class Shape {
       made.renderOrder = order;
       return made;
     };
-    this.#meshes = [mesh(this.#solid, 1), mesh(this.#ghost, 3)];
+    // Between faces and lines: the lines run over what is behind them.
+    this.#meshes = [mesh(this.#solid, 1), mesh(this.#ghost, 1.5)];
     this.group.add(...this.#meshes);
     this.#capacity = capacity;
   }
