@@ -60,6 +60,22 @@ test('four methods run on the same edit, with curves, a table and files', async 
   expect(largestError(await script.positions(), own)).toBe(0);
 });
 
+test('where there is nothing to solve, that is said in place of empty plots, with the way on', async () => {
+  const { page } = visit;
+  await script.open({ recipe: SHAPE });
+  await compare();
+  await expect.poll(said, { timeout: 60_000 }).toMatch(/nothing to solve: move a handle first/);
+  await page.screenshot({ path: join(OUTPUT, 'compare-idle.png') });
+  for (const part of ['.plots', '.table', '.actions'])
+    expect(await page.locator(`.comparison ${part}`).isVisible()).toBe(false);
+
+  await dragBy(script, dragged, [-40, 30]);
+  await script.settled();
+  await page.getByRole('button', { name: 'Compare again' }).click();
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
+  expect(await drawnCurves()).toEqual([4, 4]);
+});
+
 test('no two of all methods are drawn alike', async () => {
   await edit('dome:vertices=100');
   await openForResearch(visit.page, 'Compare methods');
