@@ -234,6 +234,22 @@ test.each([
   expect(await page.locator('.legend').isVisible()).toBe(false);
 });
 
+test.each([768, 1024])('in a window of %i pixels it is closed where it is named', async (width) => {
+  const { page } = visit;
+  await page.setViewportSize({ width, height: 768 });
+  await edit('vault:vertices=200');
+  await compare();
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
+  const place = async (part: string) => (await page.locator(`.comparison header ${part}`).last().boundingBox())!;
+  const [name, close, results] = [
+    await place('h2'),
+    await place('button'),
+    (await page.locator('.comparison').boundingBox())!,
+  ];
+  expect(close.y).toBeLessThan(name.y + name.height);
+  expect(results.x + results.width - close.x - close.width).toBeLessThan(40);
+});
+
 test.each([
   [683, 384],
   [700, 500],
