@@ -122,14 +122,7 @@ test('a solve that would take minutes shows how it goes and can be cancelled, al
   await script.open({ recipe });
   await script.settled();
   await openForResearch(page, 'Solver');
-  await page.evaluate(() =>
-    window.chebnet.setOptions({
-      method: 'gradient_descent',
-      max_iterations: 1e6,
-      energy_tolerance: 0,
-      gradient_tolerance: 0,
-    }),
-  );
+  await solveWithoutEnd();
   const [x, y, z] = await placeOf(vertex);
   const stop = page.locator('.status').getByRole('button', { name: 'Stop', exact: true });
   const ways = [
@@ -165,14 +158,7 @@ test('beside Stop all that the status can say is read', async () => {
     await page.setViewportSize({ width, height: 500 });
     heights.set(width, await heightOf());
   }
-  await page.evaluate(() =>
-    window.chebnet.setOptions({
-      method: 'gradient_descent',
-      max_iterations: 1e6,
-      energy_tolerance: 0,
-      gradient_tolerance: 0,
-    }),
-  );
+  await solveWithoutEnd();
   const [x, y, z] = await placeOf(vertex);
   await script.move(vertex, [x, y, z - 10 * length]);
   await row.getByRole('button', { name: 'Stop', exact: true }).waitFor();
@@ -187,6 +173,24 @@ test('beside Stop all that the status can say is read', async () => {
       expect(await heightOf(), words).toBe(height);
     }
   }
+});
+
+test('Stop waits until the hand lets go', async () => {
+  const { page } = visit;
+  const recipe = 'vault:vertices=4000';
+  await script.open({ recipe });
+  await script.settled();
+  await solveWithoutEnd();
+  const stop = page.locator('.status').getByRole('button', { name: 'Stop', exact: true });
+  let seen = 0;
+  await dragBy(script, whatIs(recipe).dragged, [30, -40], {
+    during: async () => {
+      await page.waitForTimeout(250);
+      if (await stop.isVisible()) seen += 1;
+    },
+  });
+  expect(seen).toBe(0);
+  await stop.click();
 });
 
 test('a shape that becomes too large to be at rest while it is dragged says so beside the slider', async () => {
@@ -232,6 +236,18 @@ test('a million triangles are read in steps that are shown, can be given up, and
   await script.settled();
   expect((await script.stats()).maxDeviation).toBeLessThan(1e-9);
 }, 300_000); // a quarter of that on an idle machine
+
+/** With a method that is slow, and never content. */
+function solveWithoutEnd(): Promise<void> {
+  return visit.page.evaluate(() =>
+    window.chebnet.setOptions({
+      method: 'gradient_descent',
+      max_iterations: 1e6,
+      energy_tolerance: 0,
+      gradient_tolerance: 0,
+    }),
+  );
+}
 
 function whatIs(recipe: string): { vertices: number; meanLength: number; dragged: number } {
   const editor = core.openRecipe(recipe);
