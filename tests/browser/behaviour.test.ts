@@ -534,6 +534,27 @@ test('a strip that stands as an arch against its weight is found to hang, once i
   expect(apart(await script.positions(), arch)).toBeLessThan(1e-6);
 });
 
+test('a search for less strain that is stopped leaves net and history as they were', async () => {
+  const { page } = visit;
+  await script.open({ recipe: 'vault:vertices=4000' });
+  const { vertex, target } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await script.move(vertex, [target[0] - 6, target[1] + 3, target[2] - 4]);
+  await script.settled();
+  const before = await script.positions();
+
+  const relax = page.locator('.relax');
+  await page.locator('details', { has: relax }).locator('summary').click();
+  await relax.getByRole('button', { name: 'Relax further' }).click();
+  await relax.getByText(/Looking… [1-9]/).waitFor();
+  await relax.getByRole('button', { name: 'Stop looking' }).click();
+  await relax.getByRole('button', { name: 'Relax further' }).waitFor();
+  expect(await relax.getByRole('status').innerText()).toBe('');
+  await script.settled();
+  expect(apart(await script.positions(), before)).toBe(0);
+  await page.locator('summary', { hasText: /^History/ }).click();
+  await page.locator('.history [aria-current]', { hasText: /^Move handle/ }).waitFor();
+});
+
 test('the solver has the settings that its method reads, and no others', async () => {
   const { page } = visit;
   await openForResearch(page, 'Solver');

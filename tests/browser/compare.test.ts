@@ -60,6 +60,22 @@ test('four methods run on the same edit, with curves, a table and files', async 
   expect(largestError(await script.positions(), own)).toBe(0);
 });
 
+test('where there is nothing to solve, that is said in place of empty plots, with the way on', async () => {
+  const { page } = visit;
+  await script.open({ recipe: SHAPE });
+  await compare();
+  await expect.poll(said, { timeout: 60_000 }).toMatch(/nothing to solve: move a handle first/);
+  await page.screenshot({ path: join(OUTPUT, 'compare-idle.png') });
+  for (const part of ['.plots', '.table', '.actions'])
+    expect(await page.locator(`.comparison ${part}`).isVisible()).toBe(false);
+
+  await dragBy(script, dragged, [-40, 30]);
+  await script.settled();
+  await page.getByRole('button', { name: 'Compare again' }).click();
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
+  expect(await drawnCurves()).toEqual([4, 4]);
+});
+
 test('no two of all methods are drawn alike', async () => {
   await edit('dome:vertices=100');
   await openForResearch(visit.page, 'Compare methods');
@@ -192,15 +208,46 @@ test('editing goes on meanwhile, and Cancel works at once', async () => {
   expect(await table()).toEqual(after);
 });
 
-test('a phone has room for it', async () => {
-  await visit.page.setViewportSize({ width: 390, height: 844 });
+test.each([
+  [360, 740],
+  [390, 844],
+])('a phone of %i by %i has room for it, and for the net above it', async (width, height) => {
+  const { page } = visit;
+  await page.setViewportSize({ width, height });
   await edit(SHAPE);
-  await visit.page.getByRole('button', { name: 'Controls' }).click();
+  await page.getByRole('button', { name: 'Controls' }).click();
   await compare();
   await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
-  const overflow = await visit.page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+  await drawn(page);
+  await page.screenshot({ path: join(OUTPUT, `compare-phone-${width}.png`) });
+  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
   expect(overflow).toBeLessThanOrEqual(0);
-  await visit.page.screenshot({ path: join(OUTPUT, 'compare-phone.png') });
+  const [left, right, top] = await page.evaluate(() => {
+    const { stats, screenPosition } = window.chebnet;
+    const places = Array.from({ length: stats().vertices }, (_, vertex) => screenPosition(vertex));
+    const [xs, ys] = [places.map(({ x }) => x), places.map(({ y }) => y)];
+    return [Math.min(...xs), Math.max(...xs), Math.min(...ys)] as const;
+  });
+  expect(right - left).toBeGreaterThan(width / 2);
+  const tools = (await page.locator('.toolbar:not(.selection-bar)').boundingBox())!;
+  expect(top).toBeGreaterThan(tools.y + tools.height);
+  expect(await page.locator('.legend').isVisible()).toBe(false);
+});
+
+test.each([768, 1024])('in a window of %i pixels it is closed where it is named', async (width) => {
+  const { page } = visit;
+  await page.setViewportSize({ width, height: 768 });
+  await edit('vault:vertices=200');
+  await compare();
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
+  const place = async (part: string) => (await page.locator(`.comparison header ${part}`).last().boundingBox())!;
+  const [name, close, results] = [
+    await place('h2'),
+    await place('button'),
+    (await page.locator('.comparison').boundingBox())!,
+  ];
+  expect(close.y).toBeLessThan(name.y + name.height);
+  expect(results.x + results.width - close.x - close.width).toBeLessThan(40);
 });
 
 test.each([

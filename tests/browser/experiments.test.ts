@@ -137,6 +137,23 @@ test('a phone shows net and note without scrolling sideways', async () => {
   await page.screenshot({ path: join(OUTPUT, 'experiment-phone-open.png') });
 });
 
+test.each(['one-edit', 'long-edges'])(
+  'on a tablet upright the net of %s is large below the note',
+  async (experiment) => {
+    const { page } = await visitFigure(experiment, { width: 768, height: 1024 });
+    await drawn(page);
+    await page.screenshot({ path: join(OUTPUT, `experiment-tablet-${experiment}.png`) });
+    const note = (await noteOf(page).boundingBox())!;
+    const [top, bottom] = await page.evaluate(() => {
+      const { stats, screenPosition } = window.chebnet;
+      const heights = Array.from({ length: stats().vertices }, (_, vertex) => screenPosition(vertex).y);
+      return [Math.min(...heights), Math.max(...heights)] as const;
+    });
+    expect(top).toBeGreaterThan(note.y + note.height);
+    expect(bottom - top).toBeGreaterThan(300);
+  },
+);
+
 test.each([
   [820, 1180, 'one-edit'],
   [820, 1180, 'energy-of-an-edge'],

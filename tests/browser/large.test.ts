@@ -1,5 +1,6 @@
 /** Nets of up to 100,000 vertices: slower than others, but the page lives. */
 import { beforeEach, expect, test } from 'vitest';
+import { en } from '../../web/src/language/en';
 import { load } from '../wasm/load';
 import { distance, dragBy, fan } from './geometry';
 import type { Script, Visit } from './page';
@@ -121,14 +122,7 @@ test('a solve that would take minutes shows how it goes and can be cancelled, al
   await script.open({ recipe });
   await script.settled();
   await openForResearch(page, 'Solver');
-  await page.evaluate(() =>
-    window.chebnet.setOptions({
-      method: 'gradient_descent',
-      max_iterations: 1e6,
-      energy_tolerance: 0,
-      gradient_tolerance: 0,
-    }),
-  );
+  await solveWithoutEnd();
   const [x, y, z] = await placeOf(vertex);
   const stop = page.locator('.status').getByRole('button', { name: 'Stop', exact: true });
   const ways = [
@@ -149,6 +143,54 @@ test('a solve that would take minutes shows how it goes and can be cancelled, al
     expect((await script.stats()).status).toBe('running');
     await page.locator('.status-words', { hasText: 'Paused' }).waitFor();
   }
+});
+
+test('beside Stop all that the status can say is read', async () => {
+  const { page } = visit;
+  const recipe = 'vault:vertices=4000';
+  const { dragged: vertex, meanLength: length } = whatIs(recipe);
+  await script.open({ recipe });
+  await script.settled();
+  const row = page.locator('.status');
+  const heightOf = async () => (await row.boundingBox())!.height;
+  const heights = new Map<number, number>();
+  for (const width of [768, 1366]) {
+    await page.setViewportSize({ width, height: 500 });
+    heights.set(width, await heightOf());
+  }
+  await solveWithoutEnd();
+  const [x, y, z] = await placeOf(vertex);
+  await script.move(vertex, [x, y, z - 10 * length]);
+  await row.getByRole('button', { name: 'Stop', exact: true }).waitFor();
+  for (const [width, height] of heights) {
+    await page.setViewportSize({ width, height: 500 });
+    for (const words of Object.values(en.status)) {
+      const isCut = await page.locator('.status-words').evaluate((element, text) => {
+        element.textContent = text;
+        return element.scrollHeight > element.clientHeight;
+      }, words);
+      expect(isCut, words).toBe(false);
+      expect(await heightOf(), words).toBe(height);
+    }
+  }
+});
+
+test('Stop waits until the hand lets go', async () => {
+  const { page } = visit;
+  const recipe = 'vault:vertices=4000';
+  await script.open({ recipe });
+  await script.settled();
+  await solveWithoutEnd();
+  const stop = page.locator('.status').getByRole('button', { name: 'Stop', exact: true });
+  let seen = 0;
+  await dragBy(script, whatIs(recipe).dragged, [30, -40], {
+    during: async () => {
+      await page.waitForTimeout(250);
+      if (await stop.isVisible()) seen += 1;
+    },
+  });
+  expect(seen).toBe(0);
+  await stop.click();
 });
 
 test('a shape that becomes too large to be at rest while it is dragged says so beside the slider', async () => {
@@ -194,6 +236,18 @@ test('a million triangles are read in steps that are shown, can be given up, and
   await script.settled();
   expect((await script.stats()).maxDeviation).toBeLessThan(1e-9);
 }, 300_000); // a quarter of that on an idle machine
+
+/** With a method that is slow, and never content. */
+function solveWithoutEnd(): Promise<void> {
+  return visit.page.evaluate(() =>
+    window.chebnet.setOptions({
+      method: 'gradient_descent',
+      max_iterations: 1e6,
+      energy_tolerance: 0,
+      gradient_tolerance: 0,
+    }),
+  );
+}
 
 function whatIs(recipe: string): { vertices: number; meanLength: number; dragged: number } {
   const editor = core.openRecipe(recipe);

@@ -28,6 +28,9 @@ export class ComparisonResults {
   #saves: readonly HTMLButtonElement[] = [];
   readonly #plots: ComparisonPlot[];
   readonly #table: ComparisonTable;
+  /** What a comparison in which there was nothing to solve has no use for. */
+  readonly #parts: readonly HTMLElement[];
+  readonly #again = makeButton(panelWords.comparison.again, () => this.#compareAgain());
   readonly #abreast = makeButton(panelWords.comparison.abreast, () => this.#toggleAbreast(), {
     title: panelWords.comparison.abreastHint,
   });
@@ -49,6 +52,9 @@ export class ComparisonResults {
     // Where its nets are shown, beside the user's: what the document calls that is English.
     document.querySelector('#beside')?.setAttribute('aria-label', panelWords.comparison.nets);
     this.#stop = makeButton(panelWords.comparison.cancel, () => events.cancelComparison());
+    const actions = this.#actions();
+    const plots = make('div', { class: 'plots' }, ...this.#plots.map(({ element }) => element));
+    this.#parts = [actions, plots, this.#table.element];
     this.element = make(
       'section',
       { class: 'comparison', 'aria-label': panelWords.comparison.heading, hidden: true },
@@ -57,10 +63,11 @@ export class ComparisonResults {
         {},
         make('h2', {}, panelWords.comparison.heading),
         this.#words,
-        this.#actions(),
+        this.#again,
+        actions,
         makeButton('×', () => this.#close(), { 'aria-label': panelWords.comparison.close }),
       ),
-      make('div', { class: 'plots' }, ...this.#plots.map(({ element }) => element)),
+      plots,
       this.#table.element,
     );
   }
@@ -100,6 +107,9 @@ export class ComparisonResults {
     setText(this.#words, progress(comparison));
     for (const button of this.#saves) button.disabled = comparison.running;
     setDisabled(this.#stop, !comparison.running, this.#saves[0]);
+    const idle = isIdle(comparison);
+    this.#again.hidden = !idle;
+    for (const part of this.#parts) setHidden(part, idle, this.#again);
   }
 
   #refreshTable(): void {
@@ -143,6 +153,11 @@ export class ComparisonResults {
     void savePicture(this.element, this.#plots, curves);
   }
 
+  /** From where there is something to solve, once a handle has been moved. */
+  #compareAgain(): void {
+    this.#events.compare({ methods: this.#comparison!.runs.map(({ scene }) => scene.method), start: 'rest' });
+  }
+
   #close(): void {
     this.#events.cancelComparison();
     this.#events.showRun(null);
@@ -160,11 +175,16 @@ function mostAbreast(): number {
   return matchMedia('(max-width: 720px)').matches ? ABREAST.phone : ABREAST.desktop;
 }
 
-function progress({ runs, running }: Comparison): string {
+function progress(comparison: Comparison): string {
+  const { runs, running } = comparison;
   const done = runs.filter(({ state }) => state === 'ended' || state === 'failed').length;
   const current = runs.find(({ state }) => state === 'running');
   if (running && current) return panelWords.comparison.running(current.label, done + 1, runs.length);
   if (done < runs.length) return panelWords.comparison.cancelled(done, runs.length);
-  const idle = runs.every(({ frame }) => frame?.iterations === 0);
-  return idle ? panelWords.comparison.idle : panelWords.comparison.done(done);
+  return isIdle(comparison) ? panelWords.comparison.idle : panelWords.comparison.done(done);
+}
+
+/** Whether every run began at a solution. */
+function isIdle({ runs, running }: Comparison): boolean {
+  return !running && runs.every(({ frame }) => frame?.iterations === 0);
 }

@@ -11,8 +11,8 @@ const PATIENCE_MS = 1000;
 
 export class StopButton implements Panel {
   readonly element: HTMLButtonElement;
-  /** While a hand drags, it says when the net is to rest. */
-  #inHand = false;
+  /** While a hand drags, it says when the net is to rest. That a drag begins is no news of the history, which knows. */
+  #history: Pick<HistoryView, 'inGesture'> | null = null;
   #patience: ReturnType<typeof setTimeout> | undefined;
 
   constructor(events: Pick<PanelEvents, 'cancel'>) {
@@ -20,12 +20,12 @@ export class StopButton implements Panel {
     this.element = makeButton(stop, () => events.cancel(), { class: 'stop', title: stopHint, hidden: true });
   }
 
-  setHistory({ inGesture }: HistoryView): void {
-    this.#inHand = inGesture;
+  setHistory(history: HistoryView): void {
+    this.#history = history;
   }
 
   setFrame(_frame: FrameData, _framesPerSecond: number, solving: boolean): void {
-    if (solving && !this.#inHand) {
+    if (solving && !this.#history?.inGesture) {
       this.#patience ??= setTimeout(() => setHidden(this.element, false), PATIENCE_MS);
       return;
     }

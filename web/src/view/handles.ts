@@ -1,6 +1,7 @@
 /** The handles: spheres to drag, hollow if they are soft, dark cubes if they are locked, a ring around those selected. Those
  *  that slide have a dark skid under them, flat in the plane or long on the line on which they do. Their
- *  size on the screen does not depend on the camera's distance, and they shine faintly through what covers them. */
+ *  size on the screen does not depend on the camera's distance, and they shine faintly through what covers them, those that
+ *  can be dragged more. */
 import {
   BoxGeometry,
   type BufferGeometry,
@@ -55,9 +56,9 @@ export class HandleMarkers {
   // Few triangles: there may be hundreds of them, and some visitors have no graphics card.
   readonly #spheres = new Shape(new SphereGeometry(1, 20, 12));
   readonly #manySpheres = new Shape(new SphereGeometry(1, 8, 5));
-  readonly #cubes = new Shape(new BoxGeometry(1.5, 1.5, 1.5));
-  readonly #hollow = new Shape(new RingGeometry(0.5, 1, 28), true);
-  readonly #rings = new Shape(new RingGeometry(1.3, 1.55, 32), true);
+  readonly #cubes = new Shape(new BoxGeometry(1.5, 1.5, 1.5), { behind: 0.25 });
+  readonly #hollow = new Shape(new RingGeometry(0.5, 1, 28), { facing: true });
+  readonly #rings = new Shape(new RingGeometry(1.3, 1.55, 32), { facing: true });
   /** By the axes. */
   readonly #skids = new Map<string, Shape>();
   #skidColour = new Color();
@@ -248,7 +249,6 @@ class Shape {
     depthFunc: GreaterDepth,
     depthWrite: false,
     transparent: true,
-    opacity: 0.35,
   });
   #meshes: InstancedMesh[] = [];
   #capacity = 0;
@@ -259,10 +259,11 @@ class Shape {
   readonly #geometry: BufferGeometry;
   readonly #facing: boolean;
 
-  /** `facing`: a flat shape that is turned to the camera. */
-  constructor(geometry: BufferGeometry, facing = false) {
+  /** `facing`: a flat shape that is turned to the camera. `behind`: how opaque it is where something is in front. */
+  constructor(geometry: BufferGeometry, { facing = false, behind = 0.5 } = {}) {
     this.#geometry = geometry;
     this.#facing = facing;
+    this.#ghost.opacity = behind;
   }
 
   setColour(colour: Color): void {
@@ -320,7 +321,8 @@ class Shape {
       made.renderOrder = order;
       return made;
     };
-    this.#meshes = [mesh(this.#solid, 1), mesh(this.#ghost, 3)];
+    // Between faces and lines: the lines run over what is behind them.
+    this.#meshes = [mesh(this.#solid, 1), mesh(this.#ghost, 1.5)];
     this.group.add(...this.#meshes);
     this.#capacity = capacity;
   }
