@@ -1,6 +1,5 @@
 #include "remesh/cones.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "net/topology.h"
 #include "remesh/even_triangles.h"
 #include "surface/curvature.h"
+#include "surface/heat_step.h"
 
 namespace chebnet {
 
@@ -20,10 +20,11 @@ namespace {
 
 // The surface is reckoned with on so many even triangles, and cones stand on so many of their vertices.
 constexpr int k_cone_triangles = 4000, k_cone_sites = 300;
+// With more vertices, as where it is too thin for such triangles, it would take too much memory.
+constexpr int k_most_cone_vertices = 10'000;
 constexpr int k_most_cones = 60, k_most_cone_moves = 200;
 // Of what is left, a cone has to take away this part, and a move something that survives rounding.
 constexpr double k_least_gain = 1e-3, k_least_move_gain = 1e-6;
-constexpr double k_largest_cone_cotangent = 100;  // of triangles that are nearly lines
 constexpr double k_quarter_turn = std::numbers::pi / 2;
 
 using Laplacian = Eigen::SparseMatrix<double>;
@@ -39,14 +40,6 @@ bool has_closed_piece(const Surface& surface) {
     for (int side = 0; side < 3 * surface.face_count(); ++side)
         if (surface.opposite(side) < 0) is_closed[pieces[Surface::face_of(side)]] = false;
     return std::find(is_closed.begin(), is_closed.end(), true) != is_closed.end();
-}
-
-/// Of the angle across from a side.
-double cotangent(const Surface& surface, int side) {
-    const Positions& x = surface.positions();
-    const Eigen::Vector3d across = x.col(surface.from(Surface::previous(side)));
-    const Eigen::Vector3d a = x.col(surface.from(side)) - across, b = x.col(surface.to(side)) - across;
-    return a.dot(b) / std::max(a.cross(b).norm(), std::abs(a.dot(b)) / k_largest_cone_cotangent);
 }
 
 std::vector<int> inner_vertices(const Surface& surface) {
@@ -75,7 +68,7 @@ std::vector<int> spread_over(const Positions& x, const std::vector<int>& vertice
 /// Cones at some of the sites, and what they leave of ∫ u², where the surface has the area 1.
 class Cones::Placement {
 public:
-    explicit Placement(const Surface& triangles) : m_indices(k_cone_sites, 0) {
+    explicit Placement(const Surface& triangles) {
         const std::vector<int> inner = inner_vertices(triangles);
         m_sites = spread_over(triangles.positions(), inner, k_cone_sites);
         m_indices.assign(m_sites.size(), 0);
@@ -176,7 +169,8 @@ private:
 
 Cones::Cones(const Surface& surface, const SurfaceTree& tree) {
     const EvenTriangles even = triangles_for_cones(surface, tree);
-    if (has_closed_piece(even.surface) || inner_vertices(even.surface).empty()) return;
+    const bool is_small = even.surface.vertex_count() <= k_most_cone_vertices;
+    if (!is_small || has_closed_piece(even.surface) || inner_vertices(even.surface).empty()) return;
     m_bare = std::make_unique<const Placement>(even.surface);
 }
 

@@ -22,7 +22,7 @@ public:
     ~Cones();
 
     /// As few as leave a stretch of e^`most_stretch`, root mean square over the surface; none where that is so without
-    /// any, or a piece of the surface is closed.
+    /// any, or a piece of the surface is closed, or it is thin all over.
     std::vector<WishedSingular> placed(double most_stretch) const;
 
 private:

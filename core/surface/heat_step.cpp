@@ -19,7 +19,8 @@ double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
     return sum;
 }
 
-/// Of the angle across from a side.
+}  // namespace
+
 double cotangent(const Surface& surface, int side) {
     const Positions& x = surface.positions();
     const int across = surface.from(Surface::previous(side));
@@ -27,8 +28,6 @@ double cotangent(const Surface& surface, int side) {
     const double sine = a.cross(b).norm(), cosine = a.dot(b);
     return std::abs(cosine) < k_largest_cotangent * sine ? cosine / sine : std::copysign(k_largest_cotangent, cosine);
 }
-
-}  // namespace
 
 HeatStep::HeatStep(const Surface& surface, double t, HeatBoundary boundary)
     : m_areas(Eigen::VectorXd::Zero(surface.vertex_count())),

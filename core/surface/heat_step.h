@@ -40,6 +40,9 @@ private:
     std::vector<bool> m_is_held;
 };
 
+/// Of the angle across from a side; of one that is nearly 0 or π, no more than 100 in size.
+double cotangent(const Surface& surface, int side);
+
 /// The mean length of the triangles' sides, in which times of heat that is to cross noise are counted.
 double mean_edge(const Surface& surface);
 
