@@ -1,6 +1,6 @@
 /** Which cells are to blame. */
 import { expect, test } from 'vitest';
-import { badCells, crumpledCells } from '../../web/src/overlay/bad_cells';
+import { badCells, crumpledCells, newFolds } from '../../web/src/overlay/bad_cells';
 import { describe as describeNet } from '../../web/src/worker/opened_net';
 import type { FrameData } from '../../web/src/worker/protocol';
 import { load } from '../wasm/load';
@@ -43,4 +43,16 @@ test('cells beside an edge that is folded by more than 60° are crumpled, those 
   expect(crumpledCells(net, frame(14, [0, 0, 0.4])).folded.size).toBe(0);
   const { folded } = crumpledCells(net, frame(14, [0, 0, 5]));
   expect(around(14).filter((face) => !folded.has(face))).toEqual([]);
+});
+
+test('edges fold anew where they fold by more than 60° beyond what they did: blocks do not as they come', () => {
+  const [blocks, sheet] = ['jack:vertices=300', 'sheet:vertices=121'].map((recipe) => core.openRecipe(recipe));
+  expect(newFolds(blocks!, blocks!.positions(), blocks!.positions())).toEqual([]);
+  const flat = sheet!.positions();
+  const folds = [0.5, 5].map((height) => {
+    const raised = flat.map((x, i) => (i === 3 * 60 + 2 ? x + height * sheet!.info.edgeLength : x));
+    return newFolds(sheet!, flat, raised).length;
+  });
+  // The four edges at the vertex; those around the cells there lie between an upright one and one that is flat.
+  expect(folds).toEqual([0, 12]);
 });

@@ -1,6 +1,6 @@
 /** Fold angles, curvature and sharp corners, as the page reckons them. */
 import { expect, test } from 'vitest';
-import { newFolds, sharpQuads, writeCurvatures, writeFolds } from '../../web/src/net/fold';
+import { sharpQuads, writeCurvatures, writeFolds } from '../../web/src/net/fold';
 import { load } from '../wasm/load';
 
 const chebnet = await load();
@@ -42,16 +42,4 @@ test('the quads of a sheet are as sharp as right angles, and so are those of blo
     expect(sharpQuads(net, net.positions(), 89.9).size).toBe(0);
     expect(sharpQuads(net, net.positions(), 90.1).size).toBe(net.info.faces);
   }
-});
-
-test('edges fold anew where they fold by more than 60° beyond what they did: blocks do not as they come', () => {
-  const [blocks, sheet] = ['jack:vertices=300', 'sheet:vertices=121'].map((recipe) => chebnet.openRecipe(recipe));
-  expect(newFolds(blocks!, blocks!.positions(), blocks!.positions())).toEqual([]);
-  const flat = sheet!.positions();
-  const folds = [0.5, 5].map((height) => {
-    const raised = flat.map((x, i) => (i === 3 * 60 + 2 ? x + height * sheet!.info.edgeLength : x));
-    return newFolds(sheet!, flat, raised).length;
-  });
-  // The four edges at the vertex; those around the cells there lie between an upright one and one that is flat.
-  expect(folds).toEqual([0, 12]);
 });

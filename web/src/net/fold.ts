@@ -9,7 +9,7 @@ export interface Faces extends Edges {
 
 const DEGREES = 180 / Math.PI;
 /** In degrees: no smooth bend folds a net so at an edge. */
-const SHARP_FOLD = 60;
+export const SHARP_FOLD = 60;
 
 /** The angle between the two faces at each edge, degrees: 0 is flat, 180 folded back. Edges of one face have 0. */
 export function writeFolds(folds: Float32Array, positions: Float64Array, net: Faces): void {
@@ -23,19 +23,9 @@ export function writeFolds(folds: Float32Array, positions: Float64Array, net: Fa
 
 /** How many edges are folded more sharply than a net of smooth bends is. */
 export function sharpFolds(net: Faces, positions: Float64Array): number {
-  return foldsOf(net, positions).reduce((sum, fold) => sum + Number(fold > SHARP_FOLD), 0);
-}
-
-/** The edges that fold so much more sharply now than before: nets that are rough as they come may fold sharply all over. */
-export function newFolds(net: Faces, before: Float64Array, now: Float64Array): number[] {
-  const [old, folds] = [foldsOf(net, before), foldsOf(net, now)];
-  return [...folds.keys()].filter((edge) => folds[edge]! > old[edge]! + SHARP_FOLD);
-}
-
-function foldsOf(net: Faces, positions: Float64Array): Float32Array {
   const folds = new Float32Array(net.edges.length / 2);
   writeFolds(folds, positions, net);
-  return folds;
+  return folds.reduce((sum, fold) => sum + Number(fold > SHARP_FOLD), 0);
 }
 
 /** At each inner vertex 360° less the angles of the faces there, by the number of vertices: the total curvature of a net that

@@ -1,7 +1,7 @@
 /** The cells of a net that is not as it should be. */
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { deviation, edgeLength, KEPT_DEVIATION } from '../net/edge_lengths';
-import { facePairs, newFolds, sharpQuads } from '../net/fold';
+import { type Faces, facePairs, SHARP_FOLD, sharpQuads, writeFolds } from '../net/fold';
 
 /** Edges are told apart from the worst one when their error is below this part of it. */
 const PART_OF_WORST = 0.01;
@@ -38,6 +38,16 @@ export function creasedCells(net: OpenedNet, { positions }: FrameData, limit: nu
 /** Where an edit has folded the net as no smooth bend does. */
 export function crumpledCells(net: OpenedNet, { positions }: FrameData): BadCells {
   return { ...NONE_BAD, folded: facesAt(net, newFolds(net, net.restPositions, positions)) };
+}
+
+/** The edges that fold so much more sharply now than before: nets that are rough as they come may fold sharply all over. */
+export function newFolds(net: Faces, before: Float64Array, now: Float64Array): number[] {
+  const [old, folds] = [before, now].map((positions) => {
+    const each = new Float32Array(net.edges.length / 2);
+    writeFolds(each, positions, net);
+    return each;
+  });
+  return [...folds!.keys()].filter((edge) => folds![edge]! > old![edge]! + SHARP_FOLD);
 }
 
 function edgesOff({ edges, restLengths }: OpenedNet, positions: Float64Array, scale: number): number[] {
