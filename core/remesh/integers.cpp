@@ -80,13 +80,16 @@ struct Change {
 
 Change best_change(const Eigen::MatrixXd& A, const Eigen::VectorXd& gradient) {
     Change best;
+    const Eigen::VectorXd half = A.diagonal() / 2;
+    Eigen::VectorXd row(gradient.size());  // beside each other, for most of the time goes here
     for (Eigen::Index i = 0; i < gradient.size(); ++i) {
+        for (Eigen::Index j = 0; j < i; ++j) row[j] = A(i, j);
         for (const int a : {-1, 1}) {
-            const double cost = A(i, i) / 2 + a * gradient[i];
+            const double cost = half[i] + a * gradient[i];
             if (cost < best.gain) best = {i, -1, a, 0, cost};
             for (Eigen::Index j = 0; j < i; ++j)
                 for (const int c : {-1, 1}) {
-                    const double both = cost + A(j, j) / 2 + c * gradient[j] + a * c * A(i, j);
+                    const double both = cost + half[j] + c * gradient[j] + a * c * row[j];
                     if (both < best.gain) best = {i, j, a, c, both};
                 }
         }
