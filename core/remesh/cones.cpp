@@ -3,7 +3,6 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -49,6 +48,35 @@ std::vector<int> inner_vertices(const Surface& surface) {
     return inner;
 }
 
+/// Of each vertex its place among the inner ones; −1 on the boundary.
+std::vector<Eigen::Index> rows_of(const std::vector<int>& inner, int vertex_count) {
+    std::vector<Eigen::Index> row(static_cast<std::size_t>(vertex_count), -1);
+    for (std::size_t i = 0; i < inner.size(); ++i) row[inner[i]] = static_cast<Eigen::Index>(i);
+    return row;
+}
+
+/// Of inner vertices; on the boundary u is 0.
+Laplacian laplacian_of(const Surface& triangles, const std::vector<Eigen::Index>& row, std::size_t count) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int side = 0; side < 3 * triangles.face_count(); ++side) {
+        const Eigen::Index a = row[triangles.from(side)], b = row[triangles.to(side)];
+        const double weight = std::max(0.0, cotangent(triangles, side)) / 2;
+        if (a >= 0) entries.emplace_back(a, a, weight);
+        if (b >= 0) entries.emplace_back(b, b, weight);
+        if (a >= 0 && b >= 0) entries.emplace_back(a, b, -weight), entries.emplace_back(b, a, -weight);
+    }
+    Laplacian laplacian(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(count));
+    laplacian.setFromTriplets(entries.begin(), entries.end());
+    return laplacian;
+}
+
+Eigen::VectorXd vertex_areas(const Surface& triangles) {
+    Eigen::VectorXd areas = Eigen::VectorXd::Zero(triangles.vertex_count());
+    for (int f = 0; f < triangles.face_count(); ++f)
+        for (const int v : triangles.triangles().col(f)) areas[v] += triangles.areas()[f] / 3;
+    return areas;
+}
+
 /// Some of these vertices, each as far as can be from those before it.
 std::vector<int> spread_over(const Positions& x, const std::vector<int>& vertices, std::size_t count) {
     std::vector<int> chosen;
@@ -70,10 +98,10 @@ class Cones::Placement {
 public:
     explicit Placement(const Surface& triangles) {
         const std::vector<int> inner = inner_vertices(triangles);
-        m_sites = spread_over(triangles.positions(), inner, k_cone_sites);
-        m_indices.assign(m_sites.size(), 0);
-        for (const int v : m_sites) m_points.push_back(triangles.positions().col(v));
-        reckon(triangles, inner);
+        const std::vector<int> sites = spread_over(triangles.positions(), inner, k_cone_sites);
+        m_indices.assign(sites.size(), 0);
+        for (const int v : sites) m_points.push_back(triangles.positions().col(v));
+        reckon(triangles, inner, sites);
     }
 
     std::vector<WishedSingular> placed_until(double most_stretch) {
@@ -90,30 +118,16 @@ public:
 
 private:
     /// u without cones, and how each site would change it.
-    void reckon(const Surface& triangles, const std::vector<int>& inner) {
-        const auto count = static_cast<Eigen::Index>(inner.size());
-        std::vector<Eigen::Index> row(static_cast<std::size_t>(triangles.vertex_count()), -1);
-        for (Eigen::Index i = 0; i < count; ++i) row[inner[i]] = i;
-        Eigen::VectorXd areas = Eigen::VectorXd::Zero(count), curvature(count);
-        std::vector<Eigen::Triplet<double>> entries;
-        for (int side = 0; side < 3 * triangles.face_count(); ++side) {
-            const Eigen::Index a = row[triangles.from(side)], b = row[triangles.to(side)];
-            if (a >= 0) areas[a] += triangles.areas()[Surface::face_of(side)] / 3 / triangles.area();
-            const double weight = std::max(0.0, cotangent(triangles, side)) / 2;
-            if (a >= 0) entries.emplace_back(a, a, weight);
-            if (b >= 0) entries.emplace_back(b, b, weight);
-            if (a >= 0 && b >= 0) entries.emplace_back(a, b, -weight), entries.emplace_back(b, a, -weight);
-        }
-        const Eigen::VectorXd defects = inner_defects(triangles);
-        for (Eigen::Index i = 0; i < count; ++i) curvature[i] = defects[inner[i]];
-        Laplacian laplacian(count, count);
-        laplacian.setFromTriplets(entries.begin(), entries.end());
-        const Eigen::SimplicialLDLT<Laplacian> factor(laplacian);
-        Eigen::MatrixXd sources = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(m_sites.size()));
-        for (std::size_t k = 0; k < m_sites.size(); ++k)
-            sources(row[m_sites[k]], static_cast<Eigen::Index>(k)) = k_quarter_turn;
+    void reckon(const Surface& triangles, const std::vector<int>& inner, const std::vector<int>& sites) {
+        const std::vector<Eigen::Index> row = rows_of(inner, triangles.vertex_count());
+        const Eigen::SimplicialLDLT<Laplacian> factor(laplacian_of(triangles, row, inner.size()));
+        Eigen::MatrixXd sources =
+            Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(inner.size()), static_cast<Eigen::Index>(sites.size()));
+        for (std::size_t k = 0; k < sites.size(); ++k)
+            sources(row[sites[k]], static_cast<Eigen::Index>(k)) = k_quarter_turn;
         const Eigen::MatrixXd changes = factor.solve(sources);
-        const Eigen::VectorXd u = factor.solve(curvature);
+        const Eigen::VectorXd u = factor.solve(inner_defects(triangles)(inner).eval());
+        const Eigen::VectorXd areas = vertex_areas(triangles)(inner) / triangles.area();
         const Eigen::MatrixXd weighted = areas.asDiagonal() * changes;
         m_products = weighted.transpose() * changes;
         m_with_u = weighted.transpose() * u;
@@ -159,7 +173,6 @@ private:
         return true;
     }
 
-    std::vector<int> m_sites;               // vertices
     std::vector<Eigen::Vector3d> m_points;  // of the sites
     std::vector<int> m_indices;             // likewise: of the cone there, in quarter turns; 0: there is none
     Eigen::MatrixXd m_products;             // ∫ of the products of what cones of index 1 take from u

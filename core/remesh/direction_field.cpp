@@ -348,9 +348,10 @@ DirectionField smoothest_field(const Surface& surface, const FieldOptions& optio
     const bool has_creases = std::find(options.creases.begin(), options.creases.end(), true) != options.creases.end();
     const bool is_flat = options.wishes && options.wishes->only && !has_creases;
     std::vector<Complex> at_vertices = Smoother(surface, connection, !is_flat).run();
-    if (is_flat && !is_free) turn_to_targets(at_vertices, surface, connection);
-    if (options.wishes && options.wishes->only && is_free)
+    if (is_flat && is_free)
         turn_as_a_whole(at_vertices, surface, frames, connection.is_pinned, potential);
+    else if (is_flat)
+        turn_to_targets(at_vertices, surface, connection);
     DirectionField field;
     field.directions.resize(3, surface.face_count());
     for (int f = 0; f < surface.face_count(); ++f) {

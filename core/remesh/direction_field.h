@@ -31,7 +31,8 @@ struct FieldOptions {
 /// boundary as far as it follows that, or across it, and along creases. Directions go from vertex to vertex as the
 /// normals turn, after so many rounds of smoothing these: the more there are, the less noise and small bumps make
 /// singular vertices. Wishes, if there are any, say where these are to be, and turn the way of directions from vertex
-/// to vertex for it.
+/// to vertex for it; where these alone are to be and there are no creases, the field has no others, and the boundary
+/// only says how it is turned as a whole.
 DirectionField smoothest_field(const Surface& surface, const FieldOptions& options);
 
 /// All directions turned by one angle, radians, which is as smooth, and has the same singular vertices.

@@ -22,7 +22,7 @@ using namespace chebnet;
 
 namespace {
 
-/// So many turns of a stair, as wide as two thirds of its height for each.
+/// So many turns of a stair that is 4 wide, each 3 high.
 Mesh stair(int turns) {
     return samples::quads(40 * turns + 1, 21, false, false, [&](int i, int j) {
         const double angle = 2 * std::numbers::pi * i / 40, r = 0.2 * (j - 10);
@@ -55,7 +55,7 @@ TEST_CASE("Around a tip that lacks a quarter of its angles one cone of valence 3
 }
 
 TEST_CASE("A hemisphere laid flat with its border kept is stretched by two in the middle, and cones take that away") {
-    // Seen from the pole across, its middle lies at e^u with u = log(2 / (1 + tan²)), which is log 2 at most.
+    // By stereographic projection u = log(2 / (1 + tan² (θ / 2))), at most log 2, at the pole.
     const Mesh half = samples::sphere(12, true);
     CHECK(cones_of(half, std::log(2.0)).empty());
     const std::vector<WishedSingular> few = cones_of(half, 0.2), more = cones_of(half, 0.1);
