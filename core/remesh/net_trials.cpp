@@ -89,6 +89,7 @@ bool NetTrials::try_with_lines() {
 }
 
 bool NetTrials::try_all() {
+    m_is_uneven = false;
     if (m_mesher.may_turn() && try_once(1, m_options.smoothing, true)) return true;
     const auto try_field = [this](double size, double smoothing) {
         return try_once(size, smoothing * m_options.smoothing, false);
@@ -110,10 +111,13 @@ bool NetTrials::try_all() {
 
 /// Whether the last net found is as it should be.
 bool NetTrials::try_once(double size, double smoothing, bool turns) {
-    if (std::ssize(m_tried) == (m_options.length > 0 ? k_most_of_length : k_most_lesser_nets)) return false;
+    if (m_is_uneven || std::ssize(m_tried) == (m_options.length > 0 ? k_most_of_length : k_most_lesser_nets))
+        return false;
     if (m_options.length > 0 && size < k_least_size_for_length) return false;
     try {
         const Mesh mesh = m_mesher.mesh_along(size, smoothing, turns);
+        m_is_uneven = is_uneven(mesh);
+        if (m_is_uneven) return false;
         TriedNet found = fitted(mesh, m_options.length, {});
         if (std::optional<TriedNet> other = with_loose_border(mesh, found)) found = std::move(*other);
         if (std::optional<TriedNet> other = following_creases(mesh, found)) found = std::move(*other);
@@ -174,6 +178,10 @@ std::optional<TriedNet> NetTrials::following_creases(const Mesh& mesh, const Tri
     } catch (const Error&) {  // that length fits nothing else
     }
     return std::nullopt;
+}
+
+bool NetTrials::is_uneven(const Mesh& mesh) const {
+    return std::isfinite(m_most_error) && evened_error(m_guide, mesh, m_options.smallest_angle) > m_most_error;
 }
 
 bool NetTrials::keeps_limit(const TriedNet& found) const {

@@ -28,10 +28,11 @@ struct TriedNet {
 /// the net that is asked for. All errors by which a trial ends but too_large only mean that it has failed.
 class NetTrials {
 public:
-    /// They all have to outlive it.
+    /// They all have to outlive it. A mesh whose edges err by more than `most_error` (evened_error()) is not fitted,
+    /// nor any that would be tried after it; infinity: all are.
     NetTrials(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options, QuadMesher& mesher,
-              PhaseClock& clock)
-        : m_guide(guide), m_options(options), m_mesher(mesher), m_clock(clock) {}
+              PhaseClock& clock, double most_error)
+        : m_guide(guide), m_options(options), m_mesher(mesher), m_clock(clock), m_most_error(most_error) {}
 
     /// The first that is as it should be, or the best of some that are not quite so; nothing where no net is found.
     std::optional<TriedNet> best();
@@ -39,6 +40,8 @@ public:
     std::optional<TriedNet> good();
     /// Of few cells, with the usual smoothing, to try something.
     std::optional<Net> small();
+    /// Whether a mesh with edges too uneven for a net has ended the trials.
+    bool were_uneven() const { return m_is_uneven; }
     /// Why there is none, after best() has found nothing.
     [[noreturn]] void refuse() const;
 
@@ -56,11 +59,14 @@ private:
     std::optional<TriedNet> with_loose_border(const Mesh& mesh, const TriedNet& found);
     std::optional<TriedNet> following_creases(const Mesh& mesh, const TriedNet& found);
     bool keeps_limit(const TriedNet& found) const;
+    bool is_uneven(const Mesh& mesh) const;
 
     const std::shared_ptr<const Guide>& m_guide;
     const RemeshOptions& m_options;
     QuadMesher& m_mesher;
     PhaseClock& m_clock;
+    double m_most_error;
+    bool m_is_uneven = false;  // the last mesh
     std::vector<TriedNet> m_tried;
     std::string m_first_failure;
     std::optional<Error> m_too_many_lines;

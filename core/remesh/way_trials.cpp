@@ -41,6 +41,12 @@ constexpr double k_clearly_less = 0.95;
 constexpr double k_gap_weight = 5, k_border_weight = 0.05, k_sharp_weight = 0.1, k_tilt_weight = 1;
 constexpr double k_open_weight = 0.1, k_fold_weight = 1;
 constexpr double k_good_cost = 0.08, k_fair_cost = 0.12;
+// A way is not tried to its end if edges err by more than this before a net is fitted (evened_error()), for that would
+// be crumpled in hundreds of places; lines along the border, which leave no room for shear, if they err by less, and by
+// still less where another way has come to a net with so little cost that any fold is worse. Such ways rank behind those
+// that have led to a net.
+constexpr double k_most_error = 0.15, k_most_error_along = 0.12, k_most_error_of_rivals = 0.04;
+constexpr double k_cost_without_folds = 0.25, k_cost_of_uneven = 1e6;
 constexpr double k_open_angle = 40 * std::numbers::pi / 180;
 
 class WayTrials {
@@ -97,12 +103,10 @@ private:
         const Surface& surface = m_guide->surface();
         const bool fits_border = m_options.border == Border::fitting && has_border(surface);
         const Border usual = fits_border ? Border::always : m_options.border;
+        if (fits_border) m_ways.push_back({std::nullopt});
         if (tries_creases) m_ways.push_back({usual, k_sharp_edge});
         m_ways.push_back({usual});
-        if (fits_border) {
-            m_ways.push_back({std::nullopt});
-            if (outer_border_sides(surface) != border_sides(surface)) m_ways.push_back({Border::outer});
-        }
+        if (fits_border && outer_border_sides(surface) != border_sides(surface)) m_ways.push_back({Border::outer});
         m_rivals = m_ways.size();
         if (!fits_border) return;
         m_ways.push_back({Border::across});
@@ -144,7 +148,14 @@ private:
             part = std::max(part, (static_cast<int>(phase) - first + done) / (k_remesh_phases - first));
             if (m_progress) m_progress(RemeshPhase::border, (static_cast<double>(k) + part) / m_ways.size());
         };
-        m_trials.push_back(made(m_ways[k], options, progress));
+        m_trials.push_back(made(m_ways[k], options, most_error(m_ways[k]), progress));
+    }
+
+    double most_error(const Way& way) const {
+        if (way.border != Border::always && way.border != Border::outer) return k_most_error;
+        const bool has_smooth =
+            has_trial([](const Trial& trial) { return trial.missed == 0 && trial.cost < k_cost_without_folds; });
+        return has_smooth ? k_most_error_of_rivals : k_most_error_along;
     }
 
     std::vector<Trial>::iterator best() {
@@ -180,9 +191,9 @@ private:
         m_trials.erase(place);
         if (m_progress) m_progress(RemeshPhase::border, 1);
         const double milliseconds = m_watch.milliseconds();
-        const bool is_done = are_few() && !m_options.fewest;
+        const bool is_done = trial.made && are_few() && !m_options.fewest;
         if (!is_done)
-            trial = made(trial.way, m_options, m_progress);
+            trial = made(trial.way, m_options, std::numeric_limits<double>::infinity(), m_progress);
         else if (m_progress)
             m_progress(RemeshPhase::fit, 1);
         if (!trial.made) {
@@ -197,7 +208,7 @@ private:
     }
 
     /// Without a net where no such is found.
-    Trial made(const Way& way, RemeshOptions options, const RemeshProgress& progress) {
+    Trial made(const Way& way, RemeshOptions options, double most_error, const RemeshProgress& progress) {
         Trial trial;
         trial.way = way;
         if (way.border) {
@@ -205,8 +216,9 @@ private:
             options.crease = std::max(options.crease, way.crease);
             try {
                 if (way.stretch > 0) options.singular = {cones(way.stretch), {}, true};
-                trial.made = remesh_one_way(m_guide, options, progress);
-                if (way.stretch > 0) trial.made->kept = {};  // nobody has wished for them
+                trial.made = remesh_if_even(m_guide, options, most_error, progress);
+                if (!trial.made) trial.cost = k_cost_of_uneven;
+                if (trial.made && way.stretch > 0) trial.made->kept = {};  // nobody has wished for them
             } catch (const Error&) {
                 trial.failure = std::current_exception();
             }

@@ -38,6 +38,7 @@
 #include "remesh/integers.h"
 #include "remesh/one_piece.h"
 #include "remesh/pinholes.h"
+#include "remesh/remesh_one_way.h"
 #include "remesh/rows.h"
 #include "sample_nets.h"
 #include "sample_surfaces.h"
@@ -238,7 +239,7 @@ TEST_CASE("Closed bodies get nets that are crumpled nowhere: lines have kinks be
     CHECK(report.mean_distance < 0.075 * report.length);
 }
 
-TEST_CASE("Between singular vertices there are as many cells as edges of one length ask for") {
+TEST_CASE("Between singular vertices there are as many cells as edges of one length ask for", "[large]") {
     const auto guide =
         std::make_shared<const Guide>(repaired_surface(samples::chain_of_rings(2), k_all_defects).surface);
     const Net net = remesh(guide, of_cells(1000)).net;
@@ -273,7 +274,7 @@ TEST_CASE("A torus gets the Chebyshev net that is turned about its axis, without
     CHECK(std::sqrt(squares / net.face_count() - mean * mean) < 0.1 * mean);
 }
 
-TEST_CASE("Of singular vertices a net has as few as it takes, if that is asked for") {
+TEST_CASE("Of singular vertices a net has as few as it takes, if that is asked for", "[large]") {
     // Two rings in one: χ = −2, so that no net of quads has fewer than eight.
     const Surface rings(samples::implicit_surface(24, {-2.6, -1.5, -0.6}, {2.6, 1.5, 0.6}, [](const auto& p) {
         const auto ring = [&](double x) {
@@ -495,7 +496,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("No tail of one or two cells hangs at the border, a narrow part of a surface is covered") {
+TEST_CASE("No tail of one or two cells hangs at the border, a narrow part of a surface is covered", "[large]") {
     const Mesh roof = samples::without(
         samples::quads(61, 37, false, false,
                        [](int i, int j) {
@@ -581,7 +582,7 @@ TEST_CASE("The length and the limit of corners are kept where they are given") {
     CHECK(net.mean_length() == Approx(0.2).epsilon(1e-9));
 }
 
-TEST_CASE("Edges have one length to the last digits, also where a net has not come to rest") {
+TEST_CASE("Edges have one length to the last digits, also where a net has not come to rest", "[large]") {
     RemeshOptions options = of_cells(900);
     options.border = RemeshOptions::Border::always;
     for (const char* name : {"hemisphere", "shell"}) {
@@ -591,7 +592,8 @@ TEST_CASE("Edges have one length to the last digits, also where a net has not co
     }
 }
 
-TEST_CASE("Where a given length does not fit around a body there are as many cells as let the net lie on it") {
+TEST_CASE("Where a given length does not fit around a body there are as many cells as let the net lie on it",
+          "[large]") {
     const Surface torus(samples::torus(60, 24, 3, 1));
     const Guide guide(torus);
     for (const double length : {0.3, 0.32, 0.34, 0.38}) {
@@ -768,7 +770,7 @@ TEST_CASE("Even triangles keep creases, and the flat faces between them") {
     CHECK(length == Approx(12));
 }
 
-TEST_CASE("Net lines follow the creases of a box if they are asked to") {
+TEST_CASE("Net lines follow the creases of a box if they are asked to", "[large]") {
     const Surface box = stretched(cube(), {3, 1.7, 1.1});
     /// Mean over the box's edges of the way to the nearest edge of the net, in its edges.
     const auto off_creases = [&](const Net& net) {
@@ -812,7 +814,7 @@ Surface plate(const std::vector<std::array<int, 2>>& squares) {
     return Surface(mesh);
 }
 
-TEST_CASE("Flat plates of squares become squares, as many as fit between their corners") {
+TEST_CASE("Flat plates of squares become squares, as many as fit between their corners", "[large]") {
     const Surface plates[] = {
         plate({{0, 0}, {1, 0}, {2, 0}, {0, 1}, {0, 2}}),
         plate({{0, 0}, {1, 0}, {2, 0}, {0, 1}, {2, 1}, {0, 2}, {2, 2}}),
@@ -853,7 +855,7 @@ Surface can() {
     return Surface(mesh);
 }
 
-TEST_CASE("Sharp edges are followed where the net lies better so, and only there") {
+TEST_CASE("Sharp edges are followed where the net lies better so, and only there", "[large]") {
     RemeshOptions without = of_cells(800), fitting = without, along = without;
     fitting.tries_creases = true;
     along.crease = k_sharp_edge;
@@ -901,7 +903,7 @@ TEST_CASE("Net lines follow creases that meet at 60 degrees as near as equal edg
     CHECK(made.singular.size() == 8);
 }
 
-TEST_CASE("Creases that a surface does not have change nothing of its net") {
+TEST_CASE("Creases that a surface does not have change nothing of its net", "[large]") {
     const Surface round = disc();
     RemeshOptions options = of_cells(300);
     const Net plain = remeshed(round, options, 1).net;
@@ -925,7 +927,8 @@ TEST_CASE("The border of a plate is a net line from corner to corner, whatever i
     CHECK(off_border(angle, bent) < 0.2);
 }
 
-TEST_CASE("A net with one net line for its border has singular vertices within, as many as its border turns") {
+TEST_CASE("A net with one net line for its border has singular vertices within, as many as its border turns",
+          "[large]") {
     const Surface round = disc();
     RemeshOptions options = of_cells(400);
     options.border = RemeshOptions::Border::always;
@@ -956,7 +959,7 @@ Surface roof_with_hole(double rise) {
     return Surface(mesh);
 }
 
-TEST_CASE("A net over a roof with a hole has its lines along the roof's sides, not along the hole") {
+TEST_CASE("A net over a roof with a hole has its lines along the roof's sides, not along the hole", "[large]") {
     for (const double rise : {0.0, 0.8}) {
         const Surface roof = roof_with_hole(rise);
         const Net net = remeshed(roof, of_cells(500), 0).net;
@@ -1027,7 +1030,7 @@ TEST_CASE("A field along the outer border alone goes around a hole without singu
     }
 }
 
-TEST_CASE("Where a net line along the border would strain the net it is there only if it is asked for") {
+TEST_CASE("Where a net line along the border would strain the net it is there only if it is asked for", "[large]") {
     const Surface shell = make_own_surface("shell");
     RemeshOptions options = of_cells(600);
     const Net fitting = remeshed(shell, options, 1).net;
@@ -1082,6 +1085,32 @@ TEST_CASE("A tower gets so many cells around as edges of one length allow for wh
         CHECK(report.mean_distance < 0.025 * report.length);
         CHECK(report.largest_distance < 0.3 * report.length);
     }
+}
+
+TEST_CASE("A tube is not drawn out where its cells may shear: they stay as square as they can be") {
+    // Its upper border is at a slant, so that it may be cut open nowhere; unrolled it is flat.
+    const Surface tube(samples::quads(48, 33, true, false, [](int i, int j) {
+        const double u = 2 * std::numbers::pi * i / 48;
+        return Eigen::Vector3d(std::cos(u), std::sin(u), j / 32. * (4 + 0.8 * std::cos(u)));
+    }));
+    RemeshOptions options = of_cells(2500);
+    options.border = RemeshOptions::Border::across;
+    const Net net = remeshed(tube, options, 0).net;
+    CHECK(part_sheared(net, 25 * samples::k_degree) < 0.1);
+}
+
+TEST_CASE("What promises only nets with edges of many lengths is given up before one is fitted") {
+    const auto sides_of = [](double above) {
+        const auto point = [above](int i, int j) {
+            const double u = 2 * std::numbers::pi * i / 40, radius = 1 + (above - 1) * j / 12.;
+            return Eigen::Vector3d(radius * std::cos(u), radius * std::sin(u), j / 4.);
+        };
+        return std::make_shared<const Guide>(Surface(samples::quads(40, 13, true, false, point)));
+    };
+    RemeshOptions options = of_cells(300);
+    options.border = RemeshOptions::Border::always;
+    CHECK(!remesh_if_even(sides_of(3), options, 0.1, {}));
+    CHECK(remesh_if_even(sides_of(1.05), options, 0.1, {}));
 }
 
 TEST_CASE("A disc with more curvature than a net can take is left open where the net would lock, rather than folded",
@@ -1248,7 +1277,7 @@ TEST_CASE("Eight singular vertices wished for at a cube's corners give a sphere 
     CHECK(*std::max_element(between.begin(), between.end()) - *std::min_element(between.begin(), between.end()) <= 1);
 }
 
-TEST_CASE("A singular vertex wished for stands where it is wished for, and takes its turn from the others") {
+TEST_CASE("A singular vertex wished for stands where it is wished for, and takes its turn from the others", "[large]") {
     for (const int valence : {3, 5, 6}) {
         CAPTURE(valence);
         RemeshOptions options = of_cells(400);
@@ -1263,7 +1292,7 @@ TEST_CASE("A singular vertex wished for stands where it is wished for, and takes
     }
 }
 
-TEST_CASE("In a forbidden region there is no singular vertex") {
+TEST_CASE("In a forbidden region there is no singular vertex", "[large]") {
     const Surface sphere(samples::sphere(16));
     const Remesh before = remeshed(sphere, of_cells(400), 2);
     RemeshOptions options = of_cells(400);
