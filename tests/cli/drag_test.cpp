@@ -58,7 +58,8 @@ TEST_CASE(
     CHECK(box.run("drag sheet:vertices=100 --edit far.json --frames 10 --adapt-lengths").exit_code == 0);
 }
 
-TEST_CASE("a drag that the iteration limit stops on its way is not called held back, and goes farther with more") {
+TEST_CASE("a drag that the iteration limit stops on its way is not called held back, and goes farther with more",
+          "[large]") {
     const Sandbox box;
     // A strip of 120 x 3 vertices, its end pushed to three tenths of its length.
     constexpr int n = 120;

@@ -80,7 +80,7 @@ TEST_CASE("drape lays a net on a surface, reports and writes") {
     CHECK(strict.at("net").at("refused_by_the_shear_limit") > 0);
 }
 
-TEST_CASE("drape cuts a surface, lays a net on each piece, and reports of each and of all") {
+TEST_CASE("drape cuts a surface, lays a net on each piece, and reports of each and of all", "[large]") {
     const Sandbox box;
     write_saddle(box, "saddle.obj", 31);
     const std::string drape = "drape saddle.obj --edge 0.1 --cut ";

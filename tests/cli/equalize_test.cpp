@@ -14,7 +14,7 @@ using namespace chebnet;
 using Catch::Matchers::Contains;
 using nlohmann::json;
 
-TEST_CASE("equalize and change say where corners stay sharp, and end with 0 as every edge has its length") {
+TEST_CASE("equalize and change say where corners stay sharp, and end with 0 as every edge has its length", "[large]") {
     const Sandbox box;
     // A flat ring, its outer border three times as long as the inner one.
     constexpr int around = 30, rows = 10;
@@ -43,7 +43,7 @@ TEST_CASE("equalize and change say where corners stay sharp, and end with 0 as e
     CHECK(finer.json().at("max_dL") < 1e-9);
 }
 
-TEST_CASE("equalize says at how many edges its net is crumpled, and what may help, which does") {
+TEST_CASE("equalize says at how many edges its net is crumpled, and what may help, which does", "[large]") {
     const Sandbox box;
     write_stretched_vault(box, "raw.obj");
     const std::string held = "equalize raw.obj --hold 0 200 --length ";

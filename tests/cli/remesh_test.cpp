@@ -38,7 +38,7 @@ TEST_CASE("remesh makes a net over a whole surface, reports and writes") {
     CHECK(given.at("net").at("smallest_corner_angle_degrees") >= 40);
 }
 
-TEST_CASE("remesh follows creases that are marked, and says how near") {
+TEST_CASE("remesh follows creases that are marked, and says how near", "[large]") {
     const Sandbox box;
     const std::string remesh = "remesh --surface hemisphere --cells 500 ";
     const std::string over = "--crease-along \"-3,0,0 -2.1,0.8,2 0,1.2,2.7 2.1,0.8,2 3,0,0\" ";
@@ -56,7 +56,7 @@ TEST_CASE("remesh follows creases that are marked, and says how near") {
     check_refused(box.run(remesh + "--crease-along \"0,0 1,0,0\""), "--crease-along: \"0,0\"");
 }
 
-TEST_CASE("remesh ends nets in a net line at the border if it is told to, or never") {
+TEST_CASE("remesh ends nets in a net line at the border if it is told to, or never", "[large]") {
     const Sandbox box;
     const auto coverage = [&](const std::string& border) {
         const Run run = box.run("remesh --surface torso --cells 400 " + border);
@@ -86,7 +86,8 @@ TEST_CASE("remesh tells of a net that lies in folds, and of the way out, which l
     CHECK(fitting.json().at("net").at("folds_over_60_degrees") == 0);
 }
 
-TEST_CASE("remesh tells where a net that follows creases leaves much bare, and of the way out, which covers it") {
+TEST_CASE("remesh tells where a net that follows creases leaves much bare, and of the way out, which covers it",
+          "[large]") {
     const Sandbox box;
     // A hip roof.
     box.write("hip.obj",

@@ -91,7 +91,7 @@ TEST_CASE("Where singular vertices alone are wished for, the field has these and
     }
 }
 
-TEST_CASE("A winding stair is covered by a net with cones, smoothly, where a field alone would crumple it") {
+TEST_CASE("A winding stair is covered by a net with cones, smoothly, where a field alone would crumple it", "[large]") {
     const auto guide = std::make_shared<const Guide>(Surface(stair(2)));
     const Remesh made = remesh(guide, {.cells = 1200});
     CHECK(crumpled_edges(*guide, made.net) == 0);

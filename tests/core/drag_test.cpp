@@ -190,7 +190,7 @@ TEST_CASE("Drag: beyond reach it is held back, as far as the net goes, and comes
     CHECK(taken.distance(taken.editor.positions(), rest) < 0.02);
 }
 
-TEST_CASE("Drag: hands that hold all of a heavy net carry it, also where they are held back") {
+TEST_CASE("Drag: hands that hold all of a heavy net carry it, also where they are held back", "[large]") {
     const std::string gravity = GENERATE("0.3", "1");
     const Net net = make_shape("dome:vertices=900").net;
     std::vector<int> feet;

@@ -469,7 +469,7 @@ TEST_CASE("Proposals are ranked, and the best is as good as beginning in the mid
     CHECK_THROWS_WITH(propose_drapes(plane, SurfaceTree(plane), upright), Contains("angle at the seed"));
 }
 
-TEST_CASE("A round surface that is rough up to its border has proposals") {
+TEST_CASE("A round surface that is rough up to its border has proposals", "[large]") {
     const unsigned seed = std::random_device{}();
     CAPTURE(seed);
     std::mt19937 random(seed);

@@ -240,7 +240,7 @@ TEST_CASE("Equilibrium: outside of a closed guide is outside, whichever way it w
     CHECK(heights_over(Guide(Surface(turned(ball))), rest).isApprox(heights_over(outwards, rest), 1e-9));
 }
 
-TEST_CASE("Equilibrium: a fine net leaves its guide with a handle rather than crumple on it") {
+TEST_CASE("Equilibrium: a fine net leaves its guide with a handle rather than crumple on it", "[large]") {
     const int n = 40, middle = n / 2 * n + n / 2;
     const Net net = samples::patch(n, n);
     const Edit edit{"pulled off",

@@ -106,7 +106,7 @@ TEST_CASE("A tube twisted by a right angle ends in one net, in however few frame
     }
 }
 
-TEST_CASE("A straight tube that is pressed together gives way as a whole, also at once") {
+TEST_CASE("A straight tube that is pressed together gives way as a whole, also at once", "[large]") {
     // By two edges: a rim that snaps there has all lengths, turned back through the next row.
     const double by = GENERATE(0.5, 2.0, 4.0, 5.0);
     CAPTURE(by);

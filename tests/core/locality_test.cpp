@@ -99,7 +99,7 @@ TEST_CASE("A region is what lies within its radius, held the more the closer to 
     }
 }
 
-TEST_CASE("What lies beyond the locality stays where it is, bit for bit, and every edge keeps its length") {
+TEST_CASE("What lies beyond the locality stays where it is, bit for bit, and every edge keeps its length", "[large]") {
     const double radius = GENERATE(8.0, 16.0);
     Editor editor = elephant();
     const Positions before = editor.positions();
@@ -148,7 +148,7 @@ TEST_CASE("Every method keeps to the locality") {
     }
 }
 
-TEST_CASE("Each drag begins where the net stands, other edits free everything") {
+TEST_CASE("Each drag begins where the net stands, other edits free everything", "[large]") {
     Editor editor = elephant();
     CHECK(keeps_lengths(lift(editor, 1, 12)));
     const Positions once = editor.positions();

@@ -275,7 +275,8 @@ TEST_CASE("What hangs on one soft handle and comes to rest there stays, though n
     CHECK((other.positions() - editor.positions()).colwise().norm().maxCoeff() < 1e-3);
 }
 
-TEST_CASE("A soft handle that jumps leads the net where a hand would, however stiff it is, and it stays there") {
+TEST_CASE("A soft handle that jumps leads the net where a hand would, however stiff it is, and it stays there",
+          "[large]") {
     const double weight = GENERATE(1., 30., 1000., 1e5);
     CAPTURE(weight);
     const Net net = samples::patch(21, 21);

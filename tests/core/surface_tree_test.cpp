@@ -42,7 +42,7 @@ Mesh crumpled_strip(std::mt19937& random) {
 
 }  // namespace
 
-TEST_CASE("The nearest point is that of a search through all triangles") {
+TEST_CASE("The nearest point is that of a search through all triangles", "[large]") {
     const unsigned seed = GENERATE(1u, 2u, 3u);
     CAPTURE(seed);
     std::mt19937 random(seed);
