@@ -6,7 +6,7 @@ import { beforeEach, expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { distance, dragBy, largestDeviation, largestError } from './geometry';
 import type { Script, Visit } from './page';
-import { OUTPUT, dropFile, visits } from './page';
+import { OUTPUT, drawn, dropFile, room, visits } from './page';
 
 const chebnet = await load();
 
@@ -263,6 +263,52 @@ test('a mesh of triangles is dropped, a net laid on it by hand, opened, edited, 
   const exported = readFileSync(await (await download).path(), 'utf8').matchAll(/^v (.*)$/gm);
   const rows = [...exported].flatMap(([, row]) => row!.split(' ').map(Number));
   expect(largestDeviation(Float64Array.from(rows), edges, length)).toBeLessThan(1e-9);
+});
+
+/** Of the free handle: the least bright colour of its middle in the picture. Its blue is faint, but where it shines through the net. */
+async function blueOfFreeHandle({ page, script }: Visit): Promise<number> {
+  await drawn(page);
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).filter(({ anchor }) => !anchor).at(-1)!;
+  const { x, y } = await script.screenPosition(vertex);
+  const png = await page.screenshot({ clip: { x: x - 2, y: y - 2, width: 4, height: 4 } });
+  return page.evaluate(
+    async (bytes) => {
+      const picture = await createImageBitmap(new Blob([Uint8Array.from(bytes)], { type: 'image/png' }));
+      const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d')!;
+      context.drawImage(picture, 0, 0);
+      const { data } = context.getImageData(0, 0, picture.width, picture.height);
+      return Math.max(...data.filter((_, i) => i % 4 === 2));
+    },
+    [...png],
+  );
+}
+
+test('a handle that the net hides from the usual sides is seen where it is to be pulled', async () => {
+  await dropFile(visit.page, 'pebble.obj', surfaceFile('pebble'));
+  await dialog(/^pebble\.obj$/)
+    .getByRole('button', { name: 'Make a net on it…' })
+    .click();
+  await measured();
+  await draper().getByRole('slider', { name: 'Cells' }).press('Home');
+  await draper().getByRole('combobox', { name: 'Net', exact: true }).selectOption('whole');
+  await press('Make the net');
+  await measured();
+  await press('Open this net');
+  await draper().waitFor({ state: 'hidden' });
+  await script.settled();
+  expect(await blueOfFreeHandle(visit)).toBeLessThan(100);
+  expect(await room(visit.page)).toBeGreaterThan(40);
+
+  const { vertex } = (await visit.page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const from = await script.position(vertex);
+  await dragBy(script, vertex, [-20, -20]);
+  await script.settled();
+  expect(distance(await script.position(vertex), from)).toBeGreaterThan(0);
+  await visit.page.keyboard.press('Control+z');
+  await script.settled();
+  // Others see it as well.
+  const link = await visit.page.evaluate(() => window.chebnet.link());
+  expect(await blueOfFreeHandle(await arrive(link))).toBeLessThan(100);
 });
 
 test('quads are a net, unless they are said to be a surface', async () => {
