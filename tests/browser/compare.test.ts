@@ -68,6 +68,17 @@ test('where there is nothing to solve, that is said in place of empty plots, wit
   await page.screenshot({ path: join(OUTPUT, 'compare-idle.png') });
   for (const part of ['.plots', '.table', '.actions'])
     expect(await page.locator(`.comparison ${part}`).isVisible()).toBe(false);
+  // On a phone, too, it is closed where it is named, and the sentence has the width.
+  const { width, height } = page.viewportSize()!;
+  await page.setViewportSize({ width: 360, height: 740 });
+  const [name, close, sentence] = await Promise.all(
+    ['h2', 'button:last-child', 'p'].map(
+      async (part) => (await page.locator(`.comparison header > ${part}`).boundingBox())!,
+    ),
+  );
+  expect(close!.y).toBeLessThan(name!.y + name!.height);
+  expect(sentence!.width).toBeGreaterThan(300);
+  await page.setViewportSize({ width, height });
 
   await dragBy(script, dragged, [-40, 30]);
   await script.settled();
