@@ -544,6 +544,23 @@ test.each(['en', 'zh-CN'])(
   },
 );
 
+test.each([
+  [768, 1024],
+  [820, 1180],
+])('at %i by %i the line below the title is one, and clear of the tools', async (width, height) => {
+  for (const [hints, selector] of [
+    [true, '.hint'],
+    [false, '> p'],
+  ] as const) {
+    const { page } = await arrive('', { viewport: { width, height }, hasTouch: true }, { hints });
+    const line = page.locator(`.title ${selector}:visible`).first();
+    await line.waitFor();
+    const [said, tools] = [(await line.boundingBox())!, (await page.locator('.toolbar').first().boundingBox())!];
+    expect(said.height).toBeLessThan(40);
+    expect(said.y).toBeGreaterThanOrEqual(tools.y + tools.height);
+  }
+});
+
 /** Of a large net, as long as they become, in the order of the section Convergence. */
 const LONG = [
   ...['100,000', '199,370', '3,000', '0.00012 %', '< 1e-16', '12,345'],
