@@ -987,8 +987,17 @@ test('a closed body gets a net over the whole of it, with progress and a stop', 
   await draper().getByRole('combobox', { name: 'Net', exact: true }).selectOption('whole');
   await draper().getByRole('combobox', { name: 'At the border' }).waitFor({ state: 'hidden' }); // it has none
   await draper().getByRole('slider', { name: 'Cells' }).press('End');
+  // Before there is a net, it is said beside the button how it comes about.
+  const lead = draper().getByText(/^No net yet\. “Make the net” covers all/);
+  await lead.waitFor();
+  const [button, words] = [
+    (await draper().getByRole('button', { name: 'Make the net' }).boundingBox())!,
+    (await lead.boundingBox())!,
+  ];
+  expect(Math.abs(words.y + words.height / 2 - button.y - button.height / 2)).toBeLessThan(10);
   await press('Make the net');
   await draper().getByRole('progressbar').waitFor();
+  expect(await lead.isVisible()).toBe(false);
   // One of the phases after the first: each may be over before it is looked for.
   await draper()
     .getByText(/Finding directions|Fitting a grid|Bringing all edges/)
@@ -996,6 +1005,7 @@ test('a closed body gets a net over the whole of it, with progress and a stop', 
   await press('Stop');
   await draper().getByRole('progressbar').waitFor({ state: 'hidden' });
   expect(await draper().getByRole('button', { name: 'Open this net' }).isDisabled()).toBe(true);
+  await lead.waitFor();
 
   await draper().getByRole('slider', { name: 'Cells' }).press('Home');
   for (let step = 0; step < 10; step++) await draper().getByRole('slider', { name: 'Cells' }).press('ArrowRight');
