@@ -489,6 +489,31 @@ test.each([
   }
 });
 
+test('in Chinese, too, names beside long results and phases of a net being made stand in one line', async () => {
+  const { page } = await arrive('', { locale: 'zh-CN', viewport: { width: 1024, height: 768 } });
+  /** Of a part, with such words in it or beside it. */
+  const lines = (text: Locator, words: string, isBeside: boolean) =>
+    text.evaluate(
+      (element, [long, beside]) => {
+        (beside ? element.nextElementSibling! : element).textContent = long;
+        const range = document.createRange();
+        range.selectNodeContents(element);
+        return range.getClientRects().length;
+      },
+      [words, isBeside] as const,
+    );
+  await page.getByRole('button', { name: '在曲面上…' }).click();
+  const laid = page.locator('.drape');
+  await laid.getByRole('combobox', { name: '曲面', exact: true }).selectOption('pebble');
+  await laid.getByRole('combobox', { name: '网的类型' }).selectOption('whole');
+  await laid.getByRole('button', { name: '生成网', exact: true }).click();
+  await laid.locator('.progress label', { hasText: '正在' }).waitFor();
+  expect(await lines(laid.locator('.progress label'), '正在试各种处理边界与锐边的方式…', false)).toBe(1);
+  const name = laid.locator('.results .facts:not(.stale) > :last-child dt');
+  await name.waitFor();
+  expect(await lines(name, `5868：${'试各种方式 4033，'.repeat(6)}`, true)).toBe(1);
+});
+
 test('its picture has the pixels of the screen it comes to, and keeps nothing of the graphics card once it is closed', async () => {
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();
   await measured();
