@@ -1,7 +1,7 @@
 /** Comparing methods on the present edit: by real clicks, with the curves, the table, the files and Cancel. */
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import type { Download } from 'playwright-core';
+import type { Download, Locator } from 'playwright-core';
 import { beforeEach, expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { dragBy, largestError } from './geometry';
@@ -68,6 +68,17 @@ test('where there is nothing to solve, that is said in place of empty plots, wit
   await page.screenshot({ path: join(OUTPUT, 'compare-idle.png') });
   for (const part of ['.plots', '.table', '.actions'])
     expect(await page.locator(`.comparison ${part}`).isVisible()).toBe(false);
+  // On a phone, too, it is closed where it is named, and the sentence has the width.
+  const { width, height } = page.viewportSize()!;
+  await page.setViewportSize({ width: 360, height: 740 });
+  const [name, close, sentence] = await Promise.all(
+    ['h2', 'button:last-child', 'p'].map(
+      async (part) => (await page.locator(`.comparison header > ${part}`).boundingBox())!,
+    ),
+  );
+  expect(close!.y).toBeLessThan(name!.y + name!.height);
+  expect(sentence!.width).toBeGreaterThan(300);
+  await page.setViewportSize({ width, height });
 
   await dragBy(script, dragged, [-40, 30]);
   await script.settled();
@@ -232,6 +243,51 @@ test.each([
   const tools = (await page.locator('.toolbar:not(.selection-bar)').boundingBox())!;
   expect(top).toBeGreaterThan(tools.y + tools.height);
   expect(await page.locator('.legend').isVisible()).toBe(false);
+});
+
+/** How dark it is at the right edge of what can be scrolled there, 0 … 1, at this part of its height. */
+async function shadeOf(part: Locator, at: number): Promise<number> {
+  await drawn(visit.page);
+  const { x, y, width, height } = (await part.boundingBox())!;
+  const png = await visit.page.screenshot({ clip: { x: x + width - 6, y: y + at * height, width: 1, height: 1 } });
+  return visit.page.evaluate(
+    async (bytes) => {
+      const picture = await createImageBitmap(new Blob([Uint8Array.from(bytes)], { type: 'image/png' }));
+      const context = new OffscreenCanvas(1, 1).getContext('2d')!;
+      context.drawImage(picture, 0, 0);
+      return 1 - context.getImageData(0, 0, 1, 1).data[0]! / 255;
+    },
+    [...png],
+  );
+}
+
+test.each([
+  [360, 740],
+  [768, 1024],
+  [1024, 768],
+])('at %i by %i what goes on aside shows that it does, as long as there is more', async (width, height) => {
+  const { page } = visit;
+  await page.setViewportSize({ width, height });
+  await edit('vault:vertices=200');
+  const fold = page.getByRole('button', { name: 'Controls', exact: true });
+  if (await fold.isVisible()) await fold.click();
+  await compare();
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
+  const results = page.locator('.comparison .table');
+  // Between its lines; above its words.
+  const parts = [[results, 0.48] as const, [page.locator('.toolbar:not(.selection-bar)'), 0.15] as const];
+  for (const [part, at] of width < 720 ? parts : parts.slice(0, 1)) {
+    await part.evaluate((each) => each.scrollIntoView({ block: 'center' }));
+    expect(await shadeOf(part, at)).toBeGreaterThan(0.1);
+    const name = part.locator('tbody th').first();
+    const stood = (await name.count()) > 0 && (await name.boundingBox());
+    const box = (await part.boundingBox())!;
+    await page.mouse.move(box.x + 30, box.y + at * box.height + 20);
+    await page.mouse.wheel(2000, 0);
+    // A line that is pointed at is a little darker.
+    await expect.poll(() => shadeOf(part, at)).toBeLessThan(0.06);
+    if (stood) expect((await name.boundingBox())!.x).toBeCloseTo(stood.x, 0);
+  }
 });
 
 test.each([768, 1024])('in a window of %i pixels it is closed where it is named', async (width) => {

@@ -137,13 +137,20 @@ test('a phone shows net and note without scrolling sideways', async () => {
   await page.screenshot({ path: join(OUTPUT, 'experiment-phone-open.png') });
 });
 
-test.each(['one-edit', 'long-edges'])(
-  'on a tablet upright the net of %s is large below the note',
-  async (experiment) => {
+test.each([
+  ['one-edit', 0],
+  ['long-edges', 400],
+])(
+  'on a tablet upright the net of %s is large below the note, of which at most %i pixels are to be scrolled to',
+  async (experiment, most) => {
     const { page } = await visitFigure(experiment, { width: 768, height: 1024 });
     await drawn(page);
     await page.screenshot({ path: join(OUTPUT, `experiment-tablet-${experiment}.png`) });
     const note = (await noteOf(page).boundingBox())!;
+    const cut = await noteOf(page)
+      .locator('details')
+      .evaluate((text) => text.scrollHeight - text.clientHeight);
+    expect(cut).toBeLessThanOrEqual(most);
     const [top, bottom] = await page.evaluate(() => {
       const { stats, screenPosition } = window.chebnet;
       const heights = Array.from({ length: stats().vertices }, (_, vertex) => screenPosition(vertex).y);

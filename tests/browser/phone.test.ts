@@ -514,6 +514,53 @@ test.each([
   await above('.legend');
 });
 
+test.each(['en', 'zh-CN'])(
+  'the legend keeps a number and its unit in one line, however narrow it is (%s)',
+  async (locale) => {
+    const { page, script } = await arrive('', { locale });
+    await script.settled();
+    // Beyond its reach, where edges are off their length.
+    const { vertex, target } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+    await script.move(vertex, [target[0] + 99, target[1], target[2]]);
+    const words = page.locator('.legend .words');
+    await expect.poll(() => words.innerText()).toMatch(/\d\s%$/);
+    expect(await words.isVisible()).toBe(true);
+    const broken = await words.evaluate((element) => {
+      const text = element.firstChild!;
+      const end = text.nodeValue!.length;
+      const lineOf = (at: number): number => {
+        const range = document.createRange();
+        range.setStart(text, at);
+        range.setEnd(text, at + 1);
+        return range.getBoundingClientRect().top;
+      };
+      const widths = Array.from({ length: 130 }, (_, i) => 70 + i);
+      return widths.filter((width) => {
+        element.style.width = `${width}px`;
+        return lineOf(end - 1) !== lineOf(end - 3);
+      });
+    });
+    expect(broken).toEqual([]);
+  },
+);
+
+test.each([
+  [768, 1024],
+  [820, 1180],
+])('at %i by %i the line below the title is one, and clear of the tools', async (width, height) => {
+  for (const [hints, selector] of [
+    [true, '.hint'],
+    [false, '> p'],
+  ] as const) {
+    const { page } = await arrive('', { viewport: { width, height }, hasTouch: true }, { hints });
+    const line = page.locator(`.title ${selector}:visible`).first();
+    await line.waitFor();
+    const [said, tools] = [(await line.boundingBox())!, (await page.locator('.toolbar').first().boundingBox())!];
+    expect(said.height).toBeLessThan(40);
+    expect(said.y).toBeGreaterThanOrEqual(tools.y + tools.height);
+  }
+});
+
 /** Of a large net, as long as they become, in the order of the section Convergence. */
 const LONG = [
   ...['100,000', '199,370', '3,000', '0.00012 %', '< 1e-16', '12,345'],

@@ -6,7 +6,7 @@ import { beforeEach, expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { distance, dragBy, largestDeviation, largestError } from './geometry';
 import type { Script, Visit } from './page';
-import { OUTPUT, dropFile, visits } from './page';
+import { OUTPUT, drawn, dropFile, room, visits } from './page';
 
 const chebnet = await load();
 
@@ -265,6 +265,52 @@ test('a mesh of triangles is dropped, a net laid on it by hand, opened, edited, 
   expect(largestDeviation(Float64Array.from(rows), edges, length)).toBeLessThan(1e-9);
 });
 
+/** Of the free handle: the least bright colour of its middle in the picture. Its blue is faint, but where it shines through the net. */
+async function blueOfFreeHandle({ page, script }: Visit): Promise<number> {
+  await drawn(page);
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).filter(({ anchor }) => !anchor).at(-1)!;
+  const { x, y } = await script.screenPosition(vertex);
+  const png = await page.screenshot({ clip: { x: x - 2, y: y - 2, width: 4, height: 4 } });
+  return page.evaluate(
+    async (bytes) => {
+      const picture = await createImageBitmap(new Blob([Uint8Array.from(bytes)], { type: 'image/png' }));
+      const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d')!;
+      context.drawImage(picture, 0, 0);
+      const { data } = context.getImageData(0, 0, picture.width, picture.height);
+      return Math.max(...data.filter((_, i) => i % 4 === 2));
+    },
+    [...png],
+  );
+}
+
+test('a handle that the net hides from the usual sides is seen where it is to be pulled', async () => {
+  await dropFile(visit.page, 'pebble.obj', surfaceFile('pebble'));
+  await dialog(/^pebble\.obj$/)
+    .getByRole('button', { name: 'Make a net on it…' })
+    .click();
+  await measured();
+  await draper().getByRole('slider', { name: 'Cells' }).press('Home');
+  await draper().getByRole('combobox', { name: 'Net', exact: true }).selectOption('whole');
+  await press('Make the net');
+  await measured();
+  await press('Open this net');
+  await draper().waitFor({ state: 'hidden' });
+  await script.settled();
+  expect(await blueOfFreeHandle(visit)).toBeLessThan(100);
+  expect(await room(visit.page)).toBeGreaterThan(40);
+
+  const { vertex } = (await visit.page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const from = await script.position(vertex);
+  await dragBy(script, vertex, [-20, -20]);
+  await script.settled();
+  expect(distance(await script.position(vertex), from)).toBeGreaterThan(0);
+  await visit.page.keyboard.press('Control+z');
+  await script.settled();
+  // Others see it as well.
+  const link = await visit.page.evaluate(() => window.chebnet.link());
+  expect(await blueOfFreeHandle(await arrive(link))).toBeLessThan(100);
+});
+
 test('quads are a net, unless they are said to be a surface', async () => {
   const rows: string[] = [];
   for (let k = 0; k < 144; k++) rows.push(`v ${k % 12} ${Math.floor(k / 12)} ${((k % 12) - 5.5) ** 2 / 20}`);
@@ -441,6 +487,31 @@ test.each([
       );
     expect(broken).toEqual([]);
   }
+});
+
+test('in Chinese, too, names beside long results and phases of a net being made stand in one line', async () => {
+  const { page } = await arrive('', { locale: 'zh-CN', viewport: { width: 1024, height: 768 } });
+  /** Of a part, with such words in it or beside it. */
+  const lines = (text: Locator, words: string, isBeside: boolean) =>
+    text.evaluate(
+      (element, [long, beside]) => {
+        (beside ? element.nextElementSibling! : element).textContent = long;
+        const range = document.createRange();
+        range.selectNodeContents(element);
+        return range.getClientRects().length;
+      },
+      [words, isBeside] as const,
+    );
+  await page.getByRole('button', { name: '在曲面上…' }).click();
+  const laid = page.locator('.drape');
+  await laid.getByRole('combobox', { name: '曲面', exact: true }).selectOption('pebble');
+  await laid.getByRole('combobox', { name: '网的类型' }).selectOption('whole');
+  await laid.getByRole('button', { name: '生成网', exact: true }).click();
+  await laid.locator('.progress label', { hasText: '正在' }).waitFor();
+  expect(await lines(laid.locator('.progress label'), '正在试各种处理边界与锐边的方式…', false)).toBe(1);
+  const name = laid.locator('.results .facts:not(.stale) > :last-child dt');
+  await name.waitFor();
+  expect(await lines(name, `5868：${'试各种方式 4033，'.repeat(6)}`, true)).toBe(1);
 });
 
 test('its picture has the pixels of the screen it comes to, and keeps nothing of the graphics card once it is closed', async () => {
@@ -941,8 +1012,17 @@ test('a closed body gets a net over the whole of it, with progress and a stop', 
   await draper().getByRole('combobox', { name: 'Net', exact: true }).selectOption('whole');
   await draper().getByRole('combobox', { name: 'At the border' }).waitFor({ state: 'hidden' }); // it has none
   await draper().getByRole('slider', { name: 'Cells' }).press('End');
+  // Before there is a net, it is said beside the button how it comes about.
+  const lead = draper().getByText(/^No net yet\. “Make the net” covers all/);
+  await lead.waitFor();
+  const [button, words] = [
+    (await draper().getByRole('button', { name: 'Make the net' }).boundingBox())!,
+    (await lead.boundingBox())!,
+  ];
+  expect(Math.abs(words.y + words.height / 2 - button.y - button.height / 2)).toBeLessThan(10);
   await press('Make the net');
   await draper().getByRole('progressbar').waitFor();
+  expect(await lead.isVisible()).toBe(false);
   // One of the phases after the first: each may be over before it is looked for.
   await draper()
     .getByText(/Finding directions|Fitting a grid|Bringing all edges/)
@@ -950,6 +1030,7 @@ test('a closed body gets a net over the whole of it, with progress and a stop', 
   await press('Stop');
   await draper().getByRole('progressbar').waitFor({ state: 'hidden' });
   expect(await draper().getByRole('button', { name: 'Open this net' }).isDisabled()).toBe(true);
+  await lead.waitFor();
 
   await draper().getByRole('slider', { name: 'Cells' }).press('Home');
   for (let step = 0; step < 10; step++) await draper().getByRole('slider', { name: 'Cells' }).press('ArrowRight');

@@ -345,7 +345,7 @@ describe('of a net that stopped short of its handles the notice says why, and of
     expect(notice.element.textContent).toContain(crumpled);
     expect([isOffered(rest), isOffered(label)]).toEqual([false, true]);
     page.button(label).tell('click');
-    expect(notice.element.textContent).toContain(looking(0));
+    expect(notice.element.textContent).toContain(looking(0, '0'));
     expect(isOffered(panelWords.stuck.stop)).toBe(true);
     await new Promise((done) => setTimeout(done));
     expect(notice.element.textContent).toContain(noSmoother);

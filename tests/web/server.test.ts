@@ -288,7 +288,8 @@ describe('a drag', () => {
     const moved = settled().frame.positions.map((x, i) => Math.abs(x - before[i]!));
     expect(Math.max(...moved)).toBeLessThan(1e-5);
     const told = said.flatMap((response) => (response.type === 'searching' ? [response.progress] : []));
-    expect(told.every((done, k) => done >= (told[k - 1] ?? 0) && done <= 1)).toBe(true);
+    expect(told.every(({ reached }, k) => reached >= (told[k - 1]?.reached ?? 0) && reached <= 1)).toBe(true);
+    expect(told.every(({ iterations }, k) => iterations > (told[k - 1]?.iterations ?? 0))).toBe(true);
   });
 
   test('a search for other lengths ends when the net is touched', async () => {

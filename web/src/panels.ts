@@ -11,7 +11,7 @@ import type { Choice, HandleCommands } from './handles/commands';
 import type { Tables } from './net/tables';
 import type { Side } from './view/camera_fit';
 import type { Pen, PenEvents } from './view/view';
-import type { FrameData, OpenedNet } from './worker/protocol';
+import type { FrameData, OpenedNet, SearchProgress } from './worker/protocol';
 
 /** Lessons that the net can demonstrate. */
 export type Lesson = 'net' | 'deviation' | 'energy' | 'stages';
@@ -56,7 +56,7 @@ export interface PanelEvents {
   /** As setOptions, and the net comes to rest by them at once. `name`: what the history calls it, if it is more than they. */
   setBehaviour(settings: SolverSettings, name?: ChangeName): void;
   /** Let all edges grow by one factor, as little as brings handles to where they were to be; see App.adaptLengths(). */
-  adaptLengths(progress: (scale: number) => void): Promise<number | null>;
+  adaptLengths(progress: (passed: SearchProgress) => void): Promise<number | null>;
   setView(change: Partial<Omit<ViewState, 'camera'>>): void;
   /** Move the handles onto the surface beside the net. */
   putHandlesOnGuide(): void;
@@ -65,7 +65,7 @@ export interface PanelEvents {
   /** Look for the net's other equilibrium; see App.flip(). */
   flip(): Promise<number | null>;
   /** Look for a net at rest with less energy; see App.searchRest(). undefined: nothing has come of it. */
-  searchRest(progress: (done: number) => void): Promise<number | null | undefined>;
+  searchRest(progress: (passed: SearchProgress) => void): Promise<number | null | undefined>;
   solve(): void;
   /** Let all of the net move with its handles, without a locality, and come to rest so at once. */
   moveWhole(): void;

@@ -9,7 +9,7 @@ import type {
   WishedSingular,
 } from '../../wasm/chebnet';
 import type { App } from './app/app';
-import { netName, takenScene } from './dialogs/taken_scene';
+import { netName, openTaken } from './dialogs/taken_scene';
 import type { TakenNet } from './dialogs/file_opener';
 import type { GuideSource } from './document/document';
 import { given } from './document/given';
@@ -139,8 +139,7 @@ async function withSurface<T>(guide: GuideSource, doing: WithSurface<T>): Promis
 async function open(app: App, { net }: Pick<DrapedNet, 'net'>, guide: GuideSource, handles: TakenNet['handles']) {
   const { restPositions: positions, faceStart, faceVertices } = net;
   const name = netName('own' in guide ? guide.own : guide.name);
-  const taken = { net: { mesh: { positions, faceStart, faceVertices }, name }, handles, guide };
-  await app.openScene(takenScene(taken, app.opening?.document));
+  await openTaken(app, { net: { mesh: { positions, faceStart, faceVertices }, name }, handles, guide });
 }
 
 // ------------------------------------------------------------------------------------------------------------- arguments

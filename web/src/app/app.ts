@@ -29,7 +29,7 @@ import type { Film, ViewEvents } from '../view/view';
 import { Client, isCancelled } from '../worker/client';
 import type { WorkerLike } from '../worker/client';
 import type { Opening } from '../worker/opening';
-import type { FrameData, OpenedNet } from '../worker/protocol';
+import type { FrameData, OpenedNet, SearchProgress } from '../worker/protocol';
 import { latestOnly } from './latest';
 import { Opener } from './opener';
 import { Presenter, type Screen } from './presenter';
@@ -346,7 +346,7 @@ export class App {
 
   /** All edges grow by one factor, as little as brings handles to where they were to be. The option `length_scale` then; null
    *  if none does, and nothing has changed. Fails as "cancelled" where the net is touched meanwhile. */
-  async adaptLengths(progress: (scale: number) => void): Promise<number | null> {
+  async adaptLengths(progress: (passed: SearchProgress) => void): Promise<number | null> {
     this.#before();
     const scale = await this.#client.adaptLengths(progress);
     // Names, and what else leaves the net alone, may have changed meanwhile.
@@ -405,7 +405,7 @@ export class App {
 
   /** Looks for another net at rest, with less energy, by other ways to the same handles. The part of the energy that is gone then;
    *  null if none has less, and nothing has changed. Fails as "cancelled" where the net is touched meanwhile. */
-  async searchRest(progress: (done: number) => void): Promise<number | null> {
+  async searchRest(progress: (passed: SearchProgress) => void): Promise<number | null> {
     this.#before();
     const left = await this.#client.searchRest(progress);
     const before = this.#state.snapshot();

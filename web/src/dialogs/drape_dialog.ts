@@ -167,6 +167,7 @@ export class DrapeDialog implements DraperLike {
         this.#take,
         ...(parts.fileWanted ? [makeButton(TEXT.fromFile, parts.fileWanted)] : []),
         makeButton(TEXT.cancel, () => this.close()),
+        this.#maker.lead,
       ),
     );
     // The way back on a phone is no key.
@@ -388,7 +389,7 @@ export class DrapeDialog implements DraperLike {
     const hasNet = this.#shown !== null;
     const isOld = hasNet && this.#form.isWhole && !isSame(this.#form.readWhole(), this.#madeWith);
     this.#take.disabled = !hasNet || this.#isMaking || isOld;
-    this.#maker.setWanted(!hasNet || isOld);
+    this.#maker.setNet(!hasNet ? 'none' : isOld ? 'old' : 'new');
     this.#results.setOutdated(isOld && !this.#isMaking);
   }
 

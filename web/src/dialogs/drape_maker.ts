@@ -19,6 +19,11 @@ export class DrapeMaker {
   readonly #progress = make('progress', { id: 'remesh-progress', max: 1 });
   readonly #row = make('p', { class: 'progress', role: 'status', hidden: true }, this.#words, this.#progress);
   readonly element: HTMLElement;
+  /** While there is no net: what the button does, and what will be seen then. */
+  readonly lead = make('p', { class: 'quiet lead', role: 'status' });
+  #isShown = false;
+  #isBusy = false;
+  #hasNet = false;
 
   constructor(events: MakerEvents) {
     this.#make = makeButton(TEXT.make, () => events.begun());
@@ -27,7 +32,9 @@ export class DrapeMaker {
   }
 
   show(shown: boolean): void {
+    this.#isShown = shown;
     this.element.hidden = !shown;
+    this.#showLead();
   }
 
   /** Whether there is a surface to make a net on. */
@@ -35,12 +42,16 @@ export class DrapeMaker {
     this.#make.disabled = !ready;
   }
 
-  /** Whether to make the net is what comes next. */
-  setWanted(wanted: boolean): void {
-    this.#make.classList.toggle('primary', wanted);
+  /** Which net there is; `old`: of other settings. Unless there is a new one, to make it is what comes next. */
+  setNet(net: 'none' | 'old' | 'new'): void {
+    this.#make.classList.toggle('primary', net !== 'new');
+    this.#hasNet = net !== 'none';
+    this.#showLead();
   }
 
   setBusy(busy: boolean): void {
+    this.#isBusy = busy;
+    this.#showLead();
     const [comes, goes] = busy ? [this.#stop, this.#make] : [this.#make, this.#stop];
     comes.hidden = false;
     setHidden(goes, true, comes);
@@ -54,5 +65,11 @@ export class DrapeMaker {
     setText(this.#words, TEXT.phases[phase]);
     // What is tried again does not take it back.
     this.#progress.value = Math.max(this.#progress.value, partDone(phase, done));
+  }
+
+  #showLead(): void {
+    const isIdle = this.#isShown && !this.#isBusy && !this.#hasNet;
+    setText(this.lead, isIdle ? TEXT.noNetYet : '');
+    this.lead.hidden = !isIdle;
   }
 }

@@ -17,7 +17,7 @@ import { ChangeDialog } from './change_dialog';
 import { DrapeDialog } from './drape_dialog';
 import type { GivenSurface } from './drape_dialog';
 import { EqualizeDialog } from './equalize_dialog';
-import { takenScene } from './taken_scene';
+import { openTaken } from './taken_scene';
 import { pickFile } from '../files/pick_file';
 import { FileDialog } from './file_dialog';
 import { lengthWords } from './file_words';
@@ -177,7 +177,7 @@ export class Openers {
   async #open(taken: TakenNet): Promise<void> {
     if (taken.handles.length === 0 && taken.guide === undefined)
       return this.#app.openNet(taken.net, taken.upAxis ?? 'z');
-    await this.#app.openScene(takenScene(taken, this.#app.opening?.document));
+    await openTaken(this.#app, taken);
   }
 
   #createDraper(given: GivenSurface | null, upAxis: UpAxis, fileWanted?: () => Promise<void>): DrapeDialog {

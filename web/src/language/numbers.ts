@@ -18,7 +18,7 @@ export function small(value: number): string {
 /** By how much of its length an edge of deviation dL is too long, in percent: dL = r + 1 / r − 2 for 1 + that. */
 export function lengthError(deviation: number): string {
   const percent = 100 * (deviation / 2 + Math.sqrt(deviation + deviation ** 2 / 4));
-  return `${Number(percent.toPrecision(2))} %`;
+  return `${Number(percent.toPrecision(2))}\u00a0%`;
 }
 
 /** Two numbers with three digits, or six where three do not tell them apart. */

@@ -21,7 +21,7 @@ import { KEPT_DEVIATION } from '../net/edge_lengths';
 import { sharpQuads } from '../net/fold';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
-import type { FrameData, OpenedNet } from '../worker/protocol';
+import type { FrameData, OpenedNet, SearchProgress } from '../worker/protocol';
 import './stuck_notice.css';
 
 /** The least weight that can be chosen: the net finds its shape, and the weight can be raised from there. */
@@ -261,12 +261,15 @@ export class StuckNotice implements Panel {
     const from = this.#scale;
     const tell = (scale: number): void => setText(this.#words, growing(percentOf(scale)));
     tell(from);
-    await this.#goWay('growing', async () => this.#take(await this.#events.adaptLengths(tell), from));
+    await this.#goWay('growing', async () =>
+      this.#take(await this.#events.adaptLengths(({ reached }) => tell(reached)), from),
+    );
   }
 
   async #relaxFurther(): Promise<void> {
-    const tell = (done: number): void => setText(this.#words, panelWords.relax.looking(done));
-    tell(0);
+    const tell = ({ reached, iterations }: SearchProgress): void =>
+      setText(this.#words, panelWords.relax.looking(reached, count(iterations)));
+    tell({ reached: 0, iterations: 0 });
     await this.#goWay('relaxing', async () => {
       if ((await this.#events.searchRest(tell)) === null) this.#hopeless = this.#history?.revision ?? null;
     });

@@ -2,12 +2,15 @@
 import type { ChebnetDocument, HandleData } from '../document/document';
 import { METHOD_AT_REST } from '../document/defaults';
 import { make, makeButton, setText } from '../elements/dom';
+import { count } from '../language/numbers';
 import { panelWords } from '../language/panels';
 import type { Panel, PanelEvents } from '../panels';
 
 export class RelaxControl implements Panel {
   readonly element = make('div', { class: 'relax' });
   readonly #button: HTMLButtonElement;
+  /** Its numbers change all the time, which nobody wants to be told. */
+  readonly #progress = make('p', { class: 'quiet' });
   readonly #outcome = make('p', { class: 'quiet', role: 'status' });
   #isSearching = false;
 
@@ -16,17 +19,21 @@ export class RelaxControl implements Panel {
     this.#button = makeButton(label, () => void (this.#isSearching ? events.cancel() : this.#search(events)), {
       title: hint,
     });
-    this.element.append(this.#button, this.#outcome);
+    this.element.append(this.#button, this.#progress, this.#outcome);
   }
 
   async #search(events: Pick<PanelEvents, 'searchRest'>): Promise<void> {
     const { label, stop, looking } = panelWords.relax;
     this.#isSearching = true;
     setText(this.#button, stop);
-    setText(this.#outcome, looking(0));
-    const gain = await events.searchRest((done) => setText(this.#outcome, looking(done)));
+    setText(this.#outcome, '');
+    const tell = (reached: number, iterations: number): void =>
+      setText(this.#progress, looking(reached, count(iterations)));
+    tell(0, 0);
+    const gain = await events.searchRest(({ reached, iterations }) => tell(reached, iterations));
     this.#isSearching = false;
     setText(this.#button, label);
+    setText(this.#progress, '');
     setText(this.#outcome, outcomeOf(gain));
   }
 

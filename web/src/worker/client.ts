@@ -4,7 +4,7 @@ import type { Axes, Ball, FlatPattern, Handle, PatternFault, VertexLists } from 
 import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import { words } from '../language/language';
 import { CRASHED, PROTOCOL_VERSION, touchesNet } from './protocol';
-import type { DrawnSurface, FrameData, OpenedNet, Request, Response, SearchFor } from './protocol';
+import type { DrawnSurface, FrameData, OpenedNet, Request, Response, SearchFor, SearchProgress } from './protocol';
 import { Failure, codeOf } from '../failure';
 
 /** The part of a `Worker` that the client uses. */
@@ -98,7 +98,7 @@ export class Client {
   #returning: Returning | null = null;
   #silence: ReturnType<typeof setInterval> | undefined;
   #whenIdle: (() => void)[] = [];
-  #searching: (progress: number) => void = () => {};
+  #searching: (progress: SearchProgress) => void = () => {};
 
   /** @param patience milliseconds of silence, while the worker is busy, after which it counts as lost. */
   constructor(spawn: () => WorkerLike, host: ClientHost, patience = 60_000) {
@@ -200,19 +200,18 @@ export class Client {
   }
 
   /** All edges grow by one factor, as little as brings handles to where they, or a hand that was held back, are to be. The
-   *  option `length_scale` then; null if none does. Fails as "cancelled" where the net is touched meanwhile.
-   *  @param progress is told the scale of the moment. */
-  adaptLengths(progress: (scale: number) => void): Promise<number | null> {
+   *  option `length_scale` then; null if none does. Fails as "cancelled" where the net is touched meanwhile. */
+  adaptLengths(progress: (passed: SearchProgress) => void): Promise<number | null> {
     return this.#search('lengths', progress);
   }
 
   /** Another net at rest: the part of the energy that it has; null if none has less. Fails as "cancelled" likewise.
-   *  @param progress is told which part of the search is done. */
-  searchRest(progress: (done: number) => void): Promise<number | null> {
+   */
+  searchRest(progress: (passed: SearchProgress) => void): Promise<number | null> {
     return this.#search('rest', progress);
   }
 
-  async #search(what: SearchFor, progress: (progress: number) => void): Promise<number | null> {
+  async #search(what: SearchFor, progress: (passed: SearchProgress) => void): Promise<number | null> {
     this.#sendDrag();
     this.#searching = progress;
     return (await this.#ask({ type: 'search', what }, 'searched')).found;

@@ -160,8 +160,8 @@ export type Response = { id: number } & (
   | { type: 'nearest'; points: Vec3[] }
   | { type: 'pattern'; pattern: FlatPattern | PatternFault }
   | { type: 'rods'; rods: VertexLists }
-  /** While a search goes on: the scale of the moment, or the part that is done. No answer yet. */
-  | { type: 'searching'; progress: number }
+  /** While a search goes on. No answer yet. */
+  | { type: 'searching'; progress: SearchProgress }
   /** The option `length_scale` that was found, or the part of the energy that is left; null: nothing does, and nothing has
    *  changed. */
   | { type: 'searched'; found: number | null }
@@ -172,6 +172,13 @@ export type Response = { id: number } & (
 /** `lengths`: all edges grow by one factor, as little as brings exact handles to where they, or a hand that was held back, are
  *  to be. `rest`: another net at rest, with less energy. */
 export type SearchFor = 'lengths' | 'rest';
+
+export interface SearchProgress {
+  /** The scale of the moment, or the part of the ways that has been tried, about. */
+  reached: number;
+  /** Since it began: one way may take most of them. */
+  iterations: number;
+}
 
 const TOUCHING = [
   'open',

@@ -1,12 +1,11 @@
 /** A search for another state of the open net, in slices, between which messages come in; it shows no frames. */
 import type { AdaptReport, Editor, Handle, RestSearchReport } from '../../../wasm/chebnet';
-import type { SearchFor } from './protocol';
+import type { SearchFor, SearchProgress } from './protocol';
 
 const SLICE = { milliseconds: 100 };
 
 interface SearchEvents {
-  /** How far it has come; see the response `searching`. */
-  passes(progress: number): void;
+  passes(progress: SearchProgress): void;
   /** The net is in the state that was found; null: there is none, and nothing has changed. */
   ended(found: number | null): void;
   /** Nothing has come of it. */
@@ -61,7 +60,8 @@ export class Search {
   #goOn(search: Searching): void {
     const report = search.solve(SLICE);
     if (report.status === 'running') {
-      this.#events.passes('scale' in report ? report.scale : report.done);
+      const reached = 'scale' in report ? report.scale : report.done;
+      this.#events.passes({ reached, iterations: report.iterations });
       return this.#goOnSoon();
     }
     const isFound = report.status === 'converged';

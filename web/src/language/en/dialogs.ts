@@ -106,6 +106,8 @@ export const dialogs = {
     kind: 'Net',
     kinds: { piece: 'One piece', whole: 'The whole surface' },
     make: 'Make the net',
+    noNetYet:
+      'No net yet. “Make the net” covers all of the surface, which takes seconds; then you see how it lies, and can open it.',
     stop: 'Stop',
     phases: {
       border: 'Trying ways to meet borders and sharp edges…',

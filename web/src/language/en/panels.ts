@@ -156,7 +156,8 @@ export const panels = {
     label: 'Relax further',
     hint: 'Looks for another shape at rest, less strained, by other ways to the same handles',
     stop: 'Stop looking',
-    looking: (done: number) => `Looking… ${Math.round(100 * done)} %`,
+    looking: (tried: number, iterations: string) =>
+      `Looking… ${Math.round(100 * tried)} % of the ways, ${iterations} iterations`,
     found: (gain: number) => `Found: ${Number((100 * gain).toPrecision(2))} % less strained.`,
     /** Where there was no net before. */
     foundAny: 'Found.',

@@ -119,6 +119,7 @@ export const dialogs: Widened<typeof en> = {
     kind: '网的类型',
     kinds: { piece: '一张网', whole: '覆盖整个曲面' },
     make: '生成网',
+    noNetYet: '还没有网。点击“生成网”，几秒后网会覆盖整个曲面；看过效果之后即可打开。',
     stop: '停止',
     phases: {
       border: '正在试各种处理边界与锐边的方式…',

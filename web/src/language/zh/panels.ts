@@ -363,7 +363,7 @@ export const panels: Widened<typeof en> = {
     label: '继续放松',
     hint: '保持手柄不动，用别的途径寻找受力更小的静止形状',
     stop: '停止寻找',
-    looking: (done) => `正在寻找… ${Math.round(100 * done)}%`,
+    looking: (tried, iterations) => `正在寻找… 已试 ${Math.round(100 * tried)}% 的途径，迭代 ${iterations} 次`,
     found: (gain) => `已找到：应变能减少 ${Number((100 * gain).toPrecision(2))}%。`,
     foundAny: '已找到。',
     none: '没有找到受力更小的静止形状。',
