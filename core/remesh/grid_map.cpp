@@ -37,10 +37,12 @@ constexpr double k_most_coordinate = 1e6;
 constexpr int k_shearing_rounds = 100, k_rounds_to_choose = 15, k_rounds_when_chosen = 5;
 constexpr double k_over_relaxation = 1.7, k_steepest = 10;
 constexpr double k_open_cell = std::numbers::pi / 3;
-// Rhombs of all angles cost as little as squares do, so that where a tube may be drawn out, it would be, in any way
-// that rounding leads to. So each round opens what is sheared by a right angle by this part of that, and others by
-// less, by the third power: few cells much sheared are worse than many a little.
-constexpr double k_opened_a_round = 0.45;
+// Rhombs of all angles cost as little as squares do, so that a tube may be drawn out until all of its cells are
+// sheared, for the little by which lengths err less then. So a map is made, too, each of whose rounds opens what is
+// sheared by a right angle by this part of that, and others by less, by the third power: few cells much sheared are
+// worse than many a little. It is taken unless lengths err by more then: what shears less by one radian may err by
+// k_shear_weight more.
+constexpr double k_opened_a_round = 0.45, k_shear_weight = 0.1;
 constexpr double k_settled = 1e-4;  // gradients that change less, beside a square's
 // What is to be on a line of the grid is so if the field's direction is nearer to it than this: a sine.
 constexpr double k_on_line = 0.3;
@@ -85,31 +87,71 @@ public:
     /// `directions`: of the field. `smallest_angle`: of cells.
     GridMap run(const Positions& directions, double length, double slack, double smallest_angle,
                 const std::function<void()>& go_on) {
-        aim_at_squares(directions, length);
-        Eigen::VectorXd integers = Eigen::VectorXd::Zero(m_integers);
-        const auto reals = [&] { return Eigen::VectorXd(m_factor.solve(m_b - m_C * integers)); };
-        if (m_N.cols() == 0) return map(reals(), integers);
-
-        const auto slope = [&] {
-            return Eigen::VectorXd(m_coupling.transpose() * m_factor.solve(m_b) - m_N.transpose() * m_d);
-        };
-        const bool shears = smallest_angle < std::numbers::pi / 2;
-        if (shears) {  // how many cells there are to be around shows while they need not be whole
-            const Eigen::LDLT<Eigen::MatrixXd> inverse(m_S);
-            const double open = m_is_regular ? std::max(k_open_cell, smallest_angle) : smallest_angle;
-            shear_in_rounds(m_is_regular ? k_shearing_rounds : k_rounds_to_choose, go_on, [&](double part) {
-                integers = -m_N * inverse.solve(slope());
-                return shear(reals(), integers, std::lerp(open, smallest_angle, part));
-            });
+        m_field.directions = directions;
+        m_length = length;
+        aim_at_squares();
+        if (m_N.cols() == 0) {
+            const Eigen::VectorXd none = Eigen::VectorXd::Zero(m_integers);
+            return map(reals_with(none), none);
         }
-        integers = m_N * fitting_integers(m_S, slope(), shears ? 0 : slack);
-        if (shears)
-            shear_in_rounds(m_is_regular ? k_shearing_rounds : k_rounds_when_chosen, go_on,
-                            [&](double) { return shear(reals(), integers, smallest_angle); });
-        return map(reals(), integers);
+        if (!(smallest_angle < std::numbers::pi / 2)) {
+            const Eigen::VectorXd integers = m_N * fitting_integers(m_S, slope(), slack);
+            return map(reals_with(integers), integers);
+        }
+        Sheared best = sheared(smallest_angle, 0, go_on);
+        if (m_is_regular) {
+            Sheared open = sheared(smallest_angle, k_opened_a_round, go_on);
+            if (open.cost < best.cost) best = std::move(open);
+        }
+        return map(best.reals, best.integers);
     }
 
 private:
+    /// Of cells with edges of one length, as far as can be.
+    struct Sheared {
+        Eigen::VectorXd reals, integers;
+        double cost;
+    };
+
+    /// `opened`: what each round opens of a cell that is sheared by a right angle.
+    Sheared sheared(double smallest_angle, double opened, const std::function<void()>& go_on) {
+        aim_at_squares();
+        // How many cells there are to be around shows while they need not be whole.
+        const Eigen::LDLT<Eigen::MatrixXd> inverse(m_S);
+        const double open = m_is_regular ? std::max(k_open_cell, smallest_angle) : smallest_angle;
+        Eigen::VectorXd integers;
+        shear_in_rounds(m_is_regular ? k_shearing_rounds : k_rounds_to_choose, go_on, [&](double part) {
+            integers = -m_N * inverse.solve(slope());
+            return shear(reals_with(integers), integers, std::lerp(open, smallest_angle, part), opened);
+        });
+        integers = m_N * fitting_integers(m_S, slope(), 0);
+        shear_in_rounds(m_is_regular ? k_shearing_rounds : k_rounds_when_chosen, go_on,
+                        [&](double) { return shear(reals_with(integers), integers, smallest_angle, opened); });
+        Eigen::VectorXd reals = reals_with(integers);
+        const double cost = cost_of(gradients_of(reals, integers));
+        return {std::move(reals), std::move(integers), cost};
+    }
+
+    Eigen::VectorXd reals_with(const Eigen::VectorXd& integers) const { return m_factor.solve(m_b - m_C * integers); }
+    Eigen::VectorXd slope() const { return m_coupling.transpose() * m_factor.solve(m_b) - m_N.transpose() * m_d; }
+
+    /// By how much lengths of edges differ, as a part of their mean, and beside that how far cells are from squares,
+    /// both root mean square.
+    double cost_of(const std::vector<Eigen::Matrix2d>& gradients) const {
+        double area = 0, lengths = 0, squares = 0, shear = 0;
+        for (int f = 0; f < m_surface.face_count(); ++f) {
+            const Eigen::Matrix2d sides = gradients[f].inverse();
+            if (is_turned_over(sides)) continue;
+            const double part = m_surface.areas()[f], sheared = angle_between(sides) - std::numbers::pi / 2;
+            area += part;
+            lengths += part * sides.colwise().norm().mean();
+            squares += part * sides.squaredNorm() / 2;
+            shear += part * sheared * sheared;
+        }
+        const double error = std::max(0.0, squares * area / (lengths * lengths) - 1);
+        return std::sqrt(error) + k_shear_weight * std::sqrt(shear / area);
+    }
+
     /// Whole numbers near those of the best map, or of that with longer or shorter cells. Edges get one length after
     /// all, so that of y only the direction counts, beside that of the best map: least is what is left of y beside it,
     /// in the norm of S, as a part of y.
@@ -361,10 +403,8 @@ private:
         m_S.diagonal().array() += k_grid_shift * (1 + m_S.diagonal().maxCoeff());
     }
 
-    void aim_at_squares(const Positions& directions, double length) {
-        m_field.directions = directions;
-        m_length = length;
-        m_gradients.assign(static_cast<std::size_t>(m_surface.face_count()), Eigen::Matrix2d::Identity() / length);
+    void aim_at_squares() {
+        m_gradients.assign(static_cast<std::size_t>(m_surface.face_count()), Eigen::Matrix2d::Identity() / m_length);
         assemble_targets();
     }
 
@@ -408,6 +448,17 @@ private:
         return changes;
     }
 
+    /// Of that map, the gradients in each triangle's frame.
+    std::vector<Eigen::Matrix2d> gradients_of(const Eigen::VectorXd& reals, const Eigen::VectorXd& integers) const {
+        std::vector<Eigen::Matrix2d> gradients(m_gradients.size());
+        for (int f = 0; f < m_surface.face_count(); ++f) {
+            Eigen::Matrix2d edges;
+            edges << edge_of(3 * f), edge_of(3 * f + 1);
+            gradients[f] = changes_in(f, reals, integers) * edges.inverse();
+        }
+        return gradients;
+    }
+
     /// `round`: is given which part of them is done with it, and returns how much it has changed.
     template <class Round>
     static void shear_in_rounds(int rounds, const std::function<void()>& go_on, Round round) {
@@ -420,17 +471,14 @@ private:
     /// Aims at what is nearest to the map that these unknowns make among cells with edges of one length; without
     /// singular vertices, sheared along a diagonal of the field. There are as many of them as there were of squares.
     /// Returns how much a gradient changes at most, beside a square's.
-    double shear(const Eigen::VectorXd& reals, const Eigen::VectorXd& integers, double smallest_angle) {
-        std::vector<Eigen::Matrix2d> present(m_gradients.size());
+    double shear(const Eigen::VectorXd& reals, const Eigen::VectorXd& integers, double smallest_angle, double opened) {
+        const std::vector<Eigen::Matrix2d> present = gradients_of(reals, integers);
         const std::vector<Eigen::Matrix2d> before = m_gradients;
         double area = 0, cells = 0;
         for (int f = 0; f < m_surface.face_count(); ++f) {
-            Eigen::Matrix2d edges;
-            edges << edge_of(3 * f), edge_of(3 * f + 1);
-            present[f] = changes_in(f, reals, integers) * edges.inverse();
             const Eigen::Matrix2d sides = present[f].inverse();
             const Eigen::Matrix2d tangents =
-                m_is_regular ? rhomb_on_axes(sides, smallest_angle) : rhomb(sides, smallest_angle);
+                m_is_regular ? rhomb_on_axes(sides, smallest_angle, opened) : rhomb(sides, smallest_angle);
             m_gradients[f] = tangents.inverse();
             area += m_surface.areas()[f];
             cells += m_surface.areas()[f] / tangents.determinant();
@@ -460,17 +508,18 @@ private:
         return std::clamp(angle, smallest_angle, std::numbers::pi - smallest_angle);
     }
 
-    static double drawn_to_square(double angle) {
+    /// By that part of it if it is sheared by a right angle, and by less, by the third power, if by less.
+    static double opened_by(double part, double angle) {
         constexpr double k_square = std::numbers::pi / 2;
         const double sheared = (k_square - angle) / k_square;
-        return angle + k_opened_a_round * k_square * sheared * sheared * sheared;
+        return angle + part * k_square * sheared * sheared * sheared;
     }
 
     /// The sides of the rhomb of side 1 with diagonals between the axes that is as acute as the cell with these sides,
-    /// but not too acute; of a cell that is turned over, a square.
-    static Eigen::Matrix2d rhomb_on_axes(const Eigen::Matrix2d& sides, double smallest_angle) {
+    /// but not too acute, and `opened`; of a cell that is turned over, a square.
+    static Eigen::Matrix2d rhomb_on_axes(const Eigen::Matrix2d& sides, double smallest_angle, double opened) {
         if (is_turned_over(sides)) return Eigen::Matrix2d::Identity();
-        const double angle = drawn_to_square(kept_open(angle_between(sides), smallest_angle));
+        const double angle = opened_by(opened, kept_open(angle_between(sides), smallest_angle));
         const double away = (std::numbers::pi / 2 - angle) / 2;  // of either side from its axis
         Eigen::Matrix2d rhomb;
         rhomb << std::cos(away), std::sin(away), std::sin(away), std::cos(away);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -43,10 +44,9 @@ constexpr double k_open_weight = 0.1, k_fold_weight = 1;
 constexpr double k_good_cost = 0.08, k_fair_cost = 0.12;
 // A way is not tried to its end if edges err by more than this before a net is fitted (evened_error()), for that would
 // be crumpled in hundreds of places; lines along the border, which leave no room for shear, if they err by less, and by
-// still less where another way has come to a net with so little cost that any fold is worse. Such ways rank behind those
-// that have led to a net.
-constexpr double k_most_error = 0.15, k_most_error_along = 0.12, k_most_error_of_rivals = 0.04;
-constexpr double k_cost_without_folds = 0.25, k_cost_of_uneven = 1e6;
+// still less where another way has come to a net with so little cost that any fold is worse.
+constexpr double k_most_error = 0.2, k_most_error_along = 0.12, k_most_error_of_rivals = 0.04;
+constexpr double k_cost_without_folds = 0.25;
 constexpr double k_open_angle = 40 * std::numbers::pi / 180;
 
 class WayTrials {
@@ -81,7 +81,7 @@ private:
     };
     // Each takes its time: more are made only where all so far are crumpled.
     static constexpr int k_most_finals = 2, k_most_finals_if_crumpled = 4;
-    // With so many folds it is worth it to try what led to no net of few cells.
+    // With so many folds it is worth it to try what led to no net of few cells, or was given up.
     static constexpr int k_many_folds = 10;
 
     struct Trial {
@@ -90,10 +90,11 @@ private:
         int missed = std::numeric_limits<int>::max();
         double cost = std::numeric_limits<double>::infinity();
         int folds = std::numeric_limits<int>::max();  // edges at which it is crumpled
+        bool is_uneven = false;                       // it was given up
         std::exception_ptr failure{};                 // why none was made
 
         bool is_good() const { return missed == 0 && cost <= k_good_cost; }
-        auto rank() const { return std::pair(missed, cost); }
+        auto rank() const { return std::tuple(missed, cost, !is_uneven); }
     };
 
     bool are_few() const { return m_cells <= k_trial_cells; }
@@ -179,7 +180,7 @@ private:
         for (auto trial = m_trials.begin(); trial != m_trials.end(); ++trial) {
             const bool is_smooth = trial->folds == 0 && promises_more(*trial);
             if (is_smooth && (smooth == m_trials.end() || trial->rank() < smooth->rank())) smooth = trial;
-            if (trial->failure && trial->way.border && !are_few()) failed = trial;
+            if (trial->is_uneven || (trial->failure && trial->way.border && !are_few())) failed = trial;
         }
         return smooth == m_trials.end() && m_finished.folds > k_many_folds ? failed : smooth;
     }
@@ -217,7 +218,7 @@ private:
             try {
                 if (way.stretch > 0) options.singular = {cones(way.stretch), {}, true};
                 trial.made = remesh_if_even(m_guide, options, most_error, progress);
-                if (!trial.made) trial.cost = k_cost_of_uneven;
+                trial.is_uneven = !trial.made;
                 if (trial.made && way.stretch > 0) trial.made->kept = {};  // nobody has wished for them
             } catch (const Error&) {
                 trial.failure = std::current_exception();

@@ -205,8 +205,7 @@ export class Client {
     return this.#search('lengths', progress);
   }
 
-  /** Another net at rest: the part of the energy that it has; null if none has less. Fails as "cancelled" likewise.
-   */
+  /** Another net at rest: the part of the energy that it has; null if none has less. Fails as "cancelled" likewise. */
   searchRest(progress: (passed: SearchProgress) => void): Promise<number | null> {
     return this.#search('rest', progress);
   }
