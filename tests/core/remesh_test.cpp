@@ -1099,6 +1099,17 @@ TEST_CASE("A tube is not drawn out where its cells may shear: they stay as squar
     CHECK(part_sheared(net, 25 * samples::k_degree) < 0.1);
 }
 
+TEST_CASE("A body whose net without singular vertices would crumple gets one with them, whatever small nets promise",
+          "[large]") {
+    // A torus three times as long outside as inside, which leaves hardly any room for other numbers of cells around.
+    const Surface torus(samples::quads(72, 36, true, true, [](int i, int j) {
+        const double u = 2 * std::numbers::pi * i / 72, v = 2 * std::numbers::pi * j / 36;
+        return Eigen::Vector3d((2 + std::cos(v)) * std::cos(u), (2 + std::cos(v)) * std::sin(u), std::sin(v));
+    }));
+    const auto guide = std::make_shared<const Guide>(torus);
+    CHECK(crumpled_edges(*guide, remesh(guide, of_cells(1700)).net) == 0);
+}
+
 TEST_CASE("What promises only nets with edges of many lengths is given up before one is fitted") {
     const auto sides_of = [](double above) {
         const auto point = [above](int i, int j) {
