@@ -1088,7 +1088,7 @@ TEST_CASE("A tower gets so many cells around as edges of one length allow for wh
 }
 
 TEST_CASE("A tube is not drawn out where its cells may shear: they stay as square as they can be") {
-    // Its upper border is at a slant, so that it may be cut open nowhere; unrolled it is flat.
+    // Unrolled it is flat: squares fit all of it but its upper border, which is at a slant.
     const Surface tube(samples::quads(48, 33, true, false, [](int i, int j) {
         const double u = 2 * std::numbers::pi * i / 48;
         return Eigen::Vector3d(std::cos(u), std::sin(u), j / 32. * (4 + 0.8 * std::cos(u)));
