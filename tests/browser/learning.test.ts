@@ -1,7 +1,7 @@
 /** Learning: the sheet of keys, the lessons that act on the net, the hints of a first visit. */
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
-import { dragBy, largestError } from './geometry';
+import { distance, dragBy, largestError } from './geometry';
 import type { Visit } from './page';
 import { OUTPUT, visits } from './page';
 
@@ -171,6 +171,20 @@ test('formulas of the lessons are formulas', async () => {
     .evaluateAll((parts) => parts.slice(0, 2).map((each) => each.getBoundingClientRect().top));
   expect(exponent).toBeLessThan(base!);
   expect(await page.locator('.lesson p').filter({ hasText: /[{}^]/ }).count()).toBe(0);
+});
+
+test('a lesson that moves a handle leaves the hint to drag it', async () => {
+  const { page, script } = await arrive('', {}, { hints: true });
+  const hint = page.locator('.hint');
+  await hint.getByText('Drag the orange sphere').waitFor();
+  await page.locator('summary', { hasText: /^Learn$/ }).click();
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const before = await script.position(vertex);
+  await page.locator('.lesson button').first().click();
+  await expect.poll(async () => distance(await script.position(vertex), before)).toBeGreaterThan(0.1);
+  await script.settled();
+  await expect.poll(async () => distance(await script.position(vertex), before)).toBe(0);
+  await hint.getByText('Drag the orange sphere').waitFor();
 });
 
 test('a first visit is given three hints, one after another, each until it is done or dismissed, and never again', async () => {
