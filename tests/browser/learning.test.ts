@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import { distance, dragBy, largestError } from './geometry';
 import type { Visit } from './page';
-import { OUTPUT, visits } from './page';
+import { OUTPUT, allSections, visits } from './page';
 
 const { arrive, share } = visits();
 
@@ -171,6 +171,30 @@ test('formulas of the lessons are formulas', async () => {
     .evaluateAll((parts) => parts.slice(0, 2).map((each) => each.getBoundingClientRect().top));
   expect(exponent).toBeLessThan(base!);
   expect(await page.locator('.lesson p').filter({ hasText: /[{}^]/ }).count()).toBe(0);
+});
+
+test.each(['en', 'zh-CN'])('what p and r are now stays in one line each, however narrow it is (%s)', async (locale) => {
+  const { page } = await arrive('', { locale });
+  await allSections(page);
+  await page.locator('summary', { hasText: /^(Learn|学习)$/ }).click();
+  const now = page.locator('.energy + .quiet');
+  await expect.poll(() => now.innerText()).toMatch(/r\s=\s1\.0000$/);
+  const broken = await now.evaluate((element) => {
+    const text = element.firstChild!;
+    const lines = (from: number, to: number): number => {
+      const range = document.createRange();
+      range.setStart(text, from);
+      range.setEnd(text, to);
+      return new Set(Array.from(range.getClientRects(), ({ top }) => Math.round(top))).size;
+    };
+    const equations = [...text.nodeValue!.matchAll(/[pr]\s=\s[\d.]+/g)];
+    const widths = Array.from({ length: 160 }, (_, i) => 120 + i);
+    return widths.filter((width) => {
+      element.style.width = `${width}px`;
+      return equations.some(({ index, 0: { length } }) => lines(index, index + length) > 1);
+    });
+  });
+  expect(broken).toEqual([]);
 });
 
 test('a lesson that moves a handle leaves the hint to drag it', async () => {
