@@ -4,6 +4,7 @@ import type { Locator, Page } from 'playwright-core';
 import { describe, expect, test } from 'vitest';
 import { en } from '../../web/src/language/en';
 import { zh } from '../../web/src/language/zh';
+import { dragBy } from './geometry';
 import { allSections, drawn, OUTPUT, unfoldAll, visits } from './page';
 import type { Visit } from './page';
 
@@ -566,6 +567,31 @@ test.each([
     const isBeside = said.x + said.width <= tools.x;
     expect(isBeside || said.y >= tools.y + tools.height).toBe(true);
   }
+});
+
+test.each([
+  [900, 700],
+  [1024, 768],
+  [1280, 800],
+])('at %i by %i what is said of a net above it cuts no line below the title', async (width, height) => {
+  const { page, script } = await arrive('', { viewport: { width, height } }, { hints: true });
+  await page.locator('.hint:visible').waitFor();
+  await script.open({ recipe: 'rabbit:vertices=972' });
+  await script.settled();
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await dragBy(script, vertex, [-90, -170]);
+  await script.settled();
+  await page.locator('.stuck-notice[data-place^=top] .message').waitFor();
+  await drawn(page);
+  const { x, y, height: high } = (await page.locator('.stuck-notice .message').boundingBox())!;
+  const lines = await page.locator('.title .hint > :visible').all();
+  for (const line of lines) {
+    const box = (await line.boundingBox())!;
+    expect(box.x + box.width <= x || box.y + box.height <= y || box.y >= y + high).toBe(true);
+  }
+  // It comes back.
+  await page.locator('.stuck-notice .message > .plain').click();
+  await page.locator('.hint:visible').waitFor();
 });
 
 /** Of a large net, as long as they become, in the order of the section Convergence. */
