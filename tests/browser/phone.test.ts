@@ -569,6 +569,16 @@ test.each([
   }
 });
 
+test('on a tablet each hint has its button beside it', async () => {
+  const { page } = await arrive('', { viewport: { width: 1024, height: 768 }, hasTouch: true }, { hints: true });
+  const hint = page.locator('.hint');
+  for (const words of ['Drag the orange sphere', 'Press the net', 'a link to what you see']) {
+    await hint.getByText(words).waitFor();
+    expect((await hint.boundingBox())!.height).toBeLessThan(40);
+    await hint.getByRole('button', { name: 'Got it' }).tap();
+  }
+});
+
 test.each([
   [900, 700],
   [1024, 768],
