@@ -722,6 +722,14 @@ test.each([
   },
 );
 
+test.each(['en', 'zh-CN'])('what a list of the menu of exports says is read whole on a phone (%s)', async (locale) => {
+  const { page } = await arrive('', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, locale });
+  await allSections(page);
+  await page.getByRole('button', { name: /^(Export|导出)$/ }).tap();
+  await page.locator('#export-menu:popover-open').waitFor();
+  expect(await cutLists(page, '#export-menu')).toEqual([]);
+});
+
 test('below the last control of a section is room, whatever is hidden after it', async () => {
   const { page } = await share();
   const choice = page.getByRole('combobox', { name: 'The net' });
