@@ -215,6 +215,8 @@ test('editing goes on meanwhile, and Cancel works at once', async () => {
   await expect.poll(said, { interval: 20 }).toMatch(/Cancelled/);
   const after = await table();
   expect(after.at(-1)?.status).toBe('Cancelled');
+  // There is nothing more to cancel.
+  await visit.page.locator('.comparison .actions button', { hasText: /^Cancel$/ }).waitFor({ state: 'hidden' });
   await visit.page.waitForTimeout(500);
   expect(await table()).toEqual(after);
 });

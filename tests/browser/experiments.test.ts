@@ -126,6 +126,30 @@ test.each([
   expect(covered).toEqual([]);
 });
 
+test.each([
+  [900, 700],
+  [1024, 768],
+  [820, 1180],
+])('at %i by %i what is said of the net covers neither the note nor a handle', async (width, height) => {
+  const { page, script } = await visitFigure('one-edit', { width, height });
+  await noteOf(page).getByRole('button', { name: 'Solve' }).click();
+  const message = page.locator('.stuck-notice .message');
+  await message.waitFor();
+  await script.settled();
+  await drawn(page);
+  await page.screenshot({ path: join(OUTPUT, `experiment-crumpled-${width}.png`) });
+  const box = (await page.locator('.messages').boundingBox())!;
+  const note = (await noteOf(page).boundingBox())!;
+  expect(box.y).toBeGreaterThanOrEqual(note.y + note.height);
+  const handles = await page.evaluate(() =>
+    window.chebnet.handles().map((h) => window.chebnet.screenPosition(h.vertex)),
+  );
+  const covered = handles.filter(
+    ({ x, y }) => box.x - 12 < x && x < box.x + box.width + 12 && box.y - 12 < y && y < box.y + box.height + 12,
+  );
+  expect(covered).toEqual([]);
+});
+
 test('a phone shows net and note without scrolling sideways', async () => {
   const { page } = await arrive('#experiment=competitors', PHONE);
   await noteOf(page).getByText('Figure 17').waitFor();

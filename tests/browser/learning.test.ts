@@ -1,9 +1,9 @@
 /** Learning: the sheet of keys, the lessons that act on the net, the hints of a first visit. */
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
-import { dragBy, largestError } from './geometry';
+import { distance, dragBy, largestError } from './geometry';
 import type { Visit } from './page';
-import { OUTPUT, visits } from './page';
+import { OUTPUT, allSections, visits } from './page';
 
 const { arrive, share } = visits();
 
@@ -171,6 +171,44 @@ test('formulas of the lessons are formulas', async () => {
     .evaluateAll((parts) => parts.slice(0, 2).map((each) => each.getBoundingClientRect().top));
   expect(exponent).toBeLessThan(base!);
   expect(await page.locator('.lesson p').filter({ hasText: /[{}^]/ }).count()).toBe(0);
+});
+
+test.each(['en', 'zh-CN'])('what p and r are now stays in one line each, however narrow it is (%s)', async (locale) => {
+  const { page } = await arrive('', { locale });
+  await allSections(page);
+  await page.locator('summary', { hasText: /^(Learn|学习)$/ }).click();
+  const now = page.locator('.energy + .quiet');
+  await expect.poll(() => now.innerText()).toMatch(/r\s=\s1\.0000$/);
+  const broken = await now.evaluate((element) => {
+    const text = element.firstChild!;
+    const lines = (from: number, to: number): number => {
+      const range = document.createRange();
+      range.setStart(text, from);
+      range.setEnd(text, to);
+      return new Set(Array.from(range.getClientRects(), ({ top }) => Math.round(top))).size;
+    };
+    const equations = [...text.nodeValue!.matchAll(/[pr]\s=\s[\d.]+/g)];
+    const widths = Array.from({ length: 160 }, (_, i) => 120 + i);
+    return widths.filter((width) => {
+      element.style.width = `${width}px`;
+      return equations.some(({ index, 0: { length } }) => lines(index, index + length) > 1);
+    });
+  });
+  expect(broken).toEqual([]);
+});
+
+test('a lesson that moves a handle leaves the hint to drag it', async () => {
+  const { page, script } = await arrive('', {}, { hints: true });
+  const hint = page.locator('.hint');
+  await hint.getByText('Drag the orange sphere').waitFor();
+  await page.locator('summary', { hasText: /^Learn$/ }).click();
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const before = await script.position(vertex);
+  await page.locator('.lesson button').first().click();
+  await expect.poll(async () => distance(await script.position(vertex), before)).toBeGreaterThan(0.1);
+  await script.settled();
+  await expect.poll(async () => distance(await script.position(vertex), before)).toBe(0);
+  await hint.getByText('Drag the orange sphere').waitFor();
 });
 
 test('a first visit is given three hints, one after another, each until it is done or dismissed, and never again', async () => {

@@ -4,6 +4,7 @@ import type { Locator, Page } from 'playwright-core';
 import { describe, expect, test } from 'vitest';
 import { en } from '../../web/src/language/en';
 import { zh } from '../../web/src/language/zh';
+import { dragBy } from './geometry';
 import { allSections, drawn, OUTPUT, unfoldAll, visits } from './page';
 import type { Visit } from './page';
 
@@ -547,6 +548,12 @@ test.each(['en', 'zh-CN'])(
 test.each([
   [768, 1024],
   [820, 1180],
+  [960, 700],
+  [1024, 768],
+  [1280, 800],
+  [1366, 768],
+  [1440, 900],
+  [1441, 900],
 ])('at %i by %i the line below the title is one, and clear of the tools', async (width, height) => {
   for (const [hints, selector] of [
     [true, '.hint'],
@@ -557,8 +564,44 @@ test.each([
     await line.waitFor();
     const [said, tools] = [(await line.boundingBox())!, (await page.locator('.toolbar').first().boundingBox())!];
     expect(said.height).toBeLessThan(40);
-    expect(said.y).toBeGreaterThanOrEqual(tools.y + tools.height);
+    const isBeside = said.x + said.width <= tools.x;
+    expect(isBeside || said.y >= tools.y + tools.height).toBe(true);
   }
+});
+
+test('on a tablet each hint has its button beside it', async () => {
+  const { page } = await arrive('', { viewport: { width: 1024, height: 768 }, hasTouch: true }, { hints: true });
+  const hint = page.locator('.hint');
+  for (const words of ['Drag the orange sphere', 'Press the net', 'a link to what you see']) {
+    await hint.getByText(words).waitFor();
+    expect((await hint.boundingBox())!.height).toBeLessThan(40);
+    await hint.getByRole('button', { name: 'Got it' }).tap();
+  }
+});
+
+test.each([
+  [900, 700],
+  [1024, 768],
+  [1280, 800],
+])('at %i by %i what is said of a net above it cuts no line below the title', async (width, height) => {
+  const { page, script } = await arrive('', { viewport: { width, height } }, { hints: true });
+  await page.locator('.hint:visible').waitFor();
+  await script.open({ recipe: 'rabbit:vertices=972' });
+  await script.settled();
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await dragBy(script, vertex, [-90, -170]);
+  await script.settled();
+  await page.locator('.stuck-notice[data-place^=top] .message').waitFor();
+  await drawn(page);
+  const { x, y, height: high } = (await page.locator('.stuck-notice .message').boundingBox())!;
+  const lines = await page.locator('.title .hint > :visible').all();
+  for (const line of lines) {
+    const box = (await line.boundingBox())!;
+    expect(box.x + box.width <= x || box.y + box.height <= y || box.y >= y + high).toBe(true);
+  }
+  // It comes back.
+  await page.locator('.stuck-notice .message > .plain').click();
+  await page.locator('.hint:visible').waitFor();
 });
 
 /** Of a large net, as long as they become, in the order of the section Convergence. */
@@ -678,6 +721,14 @@ test.each([
     }
   },
 );
+
+test.each(['en', 'zh-CN'])('what a list of the menu of exports says is read whole on a phone (%s)', async (locale) => {
+  const { page } = await arrive('', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, locale });
+  await allSections(page);
+  await page.getByRole('button', { name: /^(Export|导出)$/ }).tap();
+  await page.locator('#export-menu:popover-open').waitFor();
+  expect(await cutLists(page, '#export-menu')).toEqual([]);
+});
 
 test('below the last control of a section is room, whatever is hidden after it', async () => {
   const { page } = await share();

@@ -6,7 +6,7 @@ import { beforeEach, expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { distance, dragBy, largestDeviation, largestError } from './geometry';
 import type { Script, Visit } from './page';
-import { OUTPUT, drawn, dropFile, room, visits } from './page';
+import { OUTPUT, allSections, drawn, dropFile, room, visits } from './page';
 
 const chebnet = await load();
 
@@ -871,6 +871,37 @@ test('lines through the seed bend to shear less, or follow a curve that is drawn
   await measured();
   await openExactNet(first);
 });
+
+test.each([
+  [390, 844, 'en'],
+  [360, 740, 'zh-CN'],
+])(
+  'on a phone of %i by %i most of the form of a net over the whole is in sight (%s)',
+  async (width, height, locale) => {
+    visit = await arrive('', { viewport: { width, height }, hasTouch: true, isMobile: true, locale });
+    const { page } = visit;
+    await allSections(page);
+    await page.getByRole('button', { name: /^(Controls|控制)/ }).tap();
+    await page.getByRole('button', { name: /On a surface…|在曲面上/ }).tap();
+    const form = page.locator('.drape .settings');
+    await form.locator('select').nth(1).selectOption('whole');
+    const make = page.locator('.drape .maker button:enabled:visible');
+    await make.waitFor();
+    const inSight = async () => {
+      await drawn(page);
+      const picture = (await page.locator('.drape .picture').boundingBox())!;
+      const foot = (await page.locator('.drape > .buttons').boundingBox())!;
+      const rows = await form.locator('> :visible').all();
+      const boxes = await Promise.all(rows.map(async (row) => (await row.boundingBox())!));
+      return boxes.filter((box) => box.y >= picture.y + picture.height && box.y + box.height <= foot.y).length;
+    };
+    expect(await inSight()).toBeGreaterThanOrEqual(5);
+    await make.tap();
+    await page.locator('.drape > .buttons > .primary:enabled').waitFor({ timeout: 60_000 });
+    await page.screenshot({ path: join(OUTPUT, `surface-whole-${width}.png`) });
+    expect(await inSight()).toBeGreaterThanOrEqual(5);
+  },
+);
 
 test('on a phone a curve is drawn by touch', async () => {
   visit = await arrive('', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });

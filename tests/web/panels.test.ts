@@ -185,7 +185,7 @@ describe('what goes while it has the focus leaves it to the picture:', () => {
 
   test('hints, of which the last leaves it, and each before to the next', () => {
     vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => {} });
-    const app = { opening: null, isQuiet: true, on: () => {} };
+    const app = { opening: null, history: { inGesture: false }, isQuiet: true, on: () => {} };
     const hints = new Hints(app as unknown as App, page.createElement('h1') as unknown as Element);
     const done = page.button(panelWords.hints.done);
     done.focus();

@@ -7,7 +7,7 @@ import { savePicture } from './picture';
 import { ComparisonPlot, type CurveStyle, type LineStyle } from './plot';
 import { ComparisonTable } from './table';
 import { make, makeButton, setText } from '../elements/dom';
-import { setDisabled, setHidden } from '../elements/leave';
+import { setHidden } from '../elements/leave';
 import type { PanelEvents } from '../panels';
 import './results.css';
 
@@ -106,7 +106,7 @@ export class ComparisonResults {
     this.#refreshTable();
     setText(this.#words, progress(comparison));
     for (const button of this.#saves) button.disabled = comparison.running;
-    setDisabled(this.#stop, !comparison.running, this.#saves[0]);
+    setHidden(this.#stop, !comparison.running, this.#saves[0]);
     const idle = isIdle(comparison);
     this.#again.hidden = !idle;
     for (const part of this.#parts) setHidden(part, idle, this.#again);

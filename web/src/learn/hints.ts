@@ -56,8 +56,10 @@ export class Hints {
     this.#show();
   }
 
-  /** Detects from the document that a handle was moved or added. */
+  /** Detects from the document that a handle was moved or added. While one is on its way it may come back: a lesson leaves
+   *  nothing behind, and then nobody has moved it. */
   #watch(): void {
+    if (this.#app.history.inGesture) return;
     const [before, now] = [this.#before, this.#app.opening];
     this.#before = now;
     if (!before || !now || before.net !== now.net) return;

@@ -32,6 +32,6 @@ export const learn = {
     'Only the vertices near edges that are still off move, until {fine}.',
   ],
   waits: 'Paused. “Show me” below “Three stages” goes on to the next one; a press elsewhere takes the handle back.',
-  now: (p: number, ratio: string) => `Now: p = ${p}; the worst edge, the dot, has r = ${ratio}`,
+  now: (p: number, ratio: string) => `Now: p\u00a0=\u00a0${p}; the worst edge, the dot, has r\u00a0=\u00a0${ratio}`,
   graph: (p: number, ratio: string) => `The energy of an edge against r, for p = ${p}; the worst edge has r = ${ratio}`,
 };

@@ -34,6 +34,6 @@ export const learn: Widened<typeof en> = {
     '只移动仍有偏差的边附近的顶点，直到 {fine}。',
   ],
   waits: '已暂停。点击“三个阶段”下的“演示”进入下一阶段；点击别处则把手柄放回原位。',
-  now: (p, ratio) => `现在 p = ${p}；圆点是最差的边，r = ${ratio}`,
+  now: (p, ratio) => `现在 p\u00a0=\u00a0${p}；圆点是最差的边，r\u00a0=\u00a0${ratio}`,
   graph: (p, ratio) => `边的能量随 r 的变化，p = ${p}；最差的边 r = ${ratio}`,
 };
