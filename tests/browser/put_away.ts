@@ -57,7 +57,7 @@ export function close({ unfolded, compared }: PageState): void {
   for (const menu of document.querySelectorAll<HTMLElement>(':popover-open')) menu.hidePopover();
   for (const line of document.querySelectorAll('.message')) line.remove();
   document.querySelector<HTMLElement>('.fold[aria-expanded=true]')?.click();
-  document.querySelector<HTMLElement>('.comparison:not([hidden]) > header > button')?.click();
+  document.querySelector<HTMLElement>('.comparison:not([hidden]) > header > button:last-child')?.click();
   for (const method of document.querySelectorAll<HTMLInputElement>('fieldset.methods input'))
     if (method.checked !== compared.includes(method.value)) method.click();
   for (const section of document.querySelectorAll('details'))
