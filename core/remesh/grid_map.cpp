@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -31,19 +32,26 @@ constexpr double k_clearly_fitter = 0.9;
 // Of the map, in cells: nothing has so many in a row.
 constexpr double k_most_coordinate = 1e6;
 // Where cells may shear, so many rounds lead to edges of one length; about singular vertices nearly so, before whole
-// numbers are chosen and after that. Each goes farther than it aims by this factor, for what is left shrinks slowly.
-// The first keep cells more open than they need be, as far as they can: so the widest and the narrowest are sheared
-// alike.
+// numbers are chosen and after that. What is left shrinks slowly, so that each goes farther than it aims by a factor,
+// or, where no vertex is singular, goes on with a part of the round before, more of it from round to round (Nesterov's
+// momentum).
 constexpr int k_shearing_rounds = 100, k_rounds_to_choose = 15, k_rounds_when_chosen = 5;
-constexpr double k_over_relaxation = 1.7, k_steepest = 10;
-constexpr double k_open_cell = std::numbers::pi / 3;
+constexpr double k_over_relaxation = 1.7, k_momentum = 0.95, k_steepest = 10;
 // Rhombs of all angles cost as little as squares do, so that a tube may be drawn out until all of its cells are
-// sheared, for the little by which lengths err less then. So a map is made, too, each of whose rounds opens what is
-// sheared by a right angle by this part of that, and others by less, by the third power: few cells much sheared are
-// worse than many a little. It is taken unless lengths err by more then: what shears less by one radian may err by
-// k_shear_weight more.
-constexpr double k_opened_a_round = 0.45, k_shear_weight = 0.1;
-constexpr double k_settled = 1e-4;  // gradients that change less, beside a square's
+// sheared, for the little by which lengths err less then. So each round opens what is sheared by a right angle by a
+// part of that, and others by less, by the third power: few cells much sheared are worse than many a little. What is
+// opened less from round to round ends with lengths as even as can be, but little sheared: best where cells lie as the
+// field does, as about an axis. Where they do not, as beside a border at a slant, cells are better that keep their
+// angles and are always opened. Of both that is taken by which lengths err less, where what shears less by one radian
+// may err by k_shear_weight more.
+struct Aim {
+    int steps;           // from the rhomb that is as acute as a cell to the one that is nearest to it
+    double first, last;  // what the first and the last round open
+};
+constexpr Aim k_even_lengths{2, 0.8, 0}, k_open_cells{0, 0.45, 0.45}, k_as_it_is{0, 0, 0};
+constexpr double k_shear_weight = 0.2;
+constexpr double k_narrowest = std::numbers::pi / 18;  // cells, without a limit, too
+constexpr double k_settled = 1e-4;                     // gradients that change less, beside a square's
 // What is to be on a line of the grid is so if the field's direction is nearer to it than this: a sine.
 constexpr double k_on_line = 0.3;
 
@@ -98,9 +106,9 @@ public:
             const Eigen::VectorXd integers = m_N * fitting_integers(m_S, slope(), slack);
             return map(reals_with(integers), integers);
         }
-        Sheared best = sheared(smallest_angle, 0, go_on);
+        Sheared best = sheared(smallest_angle, m_is_regular ? k_even_lengths : k_as_it_is, go_on);
         if (m_is_regular) {
-            Sheared open = sheared(smallest_angle, k_opened_a_round, go_on);
+            Sheared open = sheared(smallest_angle, k_open_cells, go_on);
             if (open.cost < best.cost) best = std::move(open);
         }
         return map(best.reals, best.integers);
@@ -113,20 +121,20 @@ private:
         double cost;
     };
 
-    /// `opened`: what each round opens of a cell that is sheared by a right angle.
-    Sheared sheared(double smallest_angle, double opened, const std::function<void()>& go_on) {
+    Sheared sheared(double smallest_angle, const Aim& aim, const std::function<void()>& go_on) {
         aim_at_squares();
         // How many cells there are to be around shows while they need not be whole.
         const Eigen::LDLT<Eigen::MatrixXd> inverse(m_S);
-        const double open = m_is_regular ? std::max(k_open_cell, smallest_angle) : smallest_angle;
         Eigen::VectorXd integers;
-        shear_in_rounds(m_is_regular ? k_shearing_rounds : k_rounds_to_choose, go_on, [&](double part) {
+        shear_in_rounds(m_is_regular ? k_shearing_rounds : k_rounds_to_choose, go_on, [&](int round, double part) {
             integers = -m_N * inverse.solve(slope());
-            return shear(reals_with(integers), integers, std::lerp(open, smallest_angle, part), opened);
+            const double opened = std::lerp(aim.first, aim.last, part);
+            return shear(reals_with(integers), integers, smallest_angle, aim.steps, opened, round);
         });
         integers = m_N * fitting_integers(m_S, slope(), 0);
-        shear_in_rounds(m_is_regular ? k_shearing_rounds : k_rounds_when_chosen, go_on,
-                        [&](double) { return shear(reals_with(integers), integers, smallest_angle, opened); });
+        shear_in_rounds(m_is_regular ? k_shearing_rounds : k_rounds_when_chosen, go_on, [&](int round, double) {
+            return shear(reals_with(integers), integers, smallest_angle, aim.steps, aim.last, round);
+        });
         Eigen::VectorXd reals = reals_with(integers);
         const double cost = cost_of(gradients_of(reals, integers));
         return {std::move(reals), std::move(integers), cost};
@@ -405,6 +413,7 @@ private:
 
     void aim_at_squares() {
         m_gradients.assign(static_cast<std::size_t>(m_surface.face_count()), Eigen::Matrix2d::Identity() / m_length);
+        m_aims = m_gradients;
         assemble_targets();
     }
 
@@ -459,41 +468,55 @@ private:
         return gradients;
     }
 
-    /// `round`: is given which part of them is done with it, and returns how much it has changed.
+    /// `round`: is given its number, from 0, and which part of them is done with it, and returns how much it has
+    /// changed.
     template <class Round>
     static void shear_in_rounds(int rounds, const std::function<void()>& go_on, Round round) {
-        for (int k = 1; k <= rounds; ++k) {
+        for (int k = 0; k < rounds; ++k) {
             if (go_on) go_on();
-            if (round(static_cast<double>(k) / rounds) < k_settled) return;
+            if (round(k, (k + 1.0) / rounds) < k_settled) return;
         }
     }
 
     /// Aims at what is nearest to the map that these unknowns make among cells with edges of one length; without
     /// singular vertices, sheared along a diagonal of the field. There are as many of them as there were of squares.
     /// Returns how much a gradient changes at most, beside a square's.
-    double shear(const Eigen::VectorXd& reals, const Eigen::VectorXd& integers, double smallest_angle, double opened) {
+    double shear(const Eigen::VectorXd& reals, const Eigen::VectorXd& integers, double smallest_angle, int steps,
+                 double opened, int round) {
         const std::vector<Eigen::Matrix2d> present = gradients_of(reals, integers);
-        const std::vector<Eigen::Matrix2d> before = m_gradients;
-        double area = 0, cells = 0;
-        for (int f = 0; f < m_surface.face_count(); ++f) {
-            const Eigen::Matrix2d sides = present[f].inverse();
-            const Eigen::Matrix2d tangents =
-                m_is_regular ? rhomb_on_axes(sides, smallest_angle, opened) : rhomb(sides, smallest_angle);
-            m_gradients[f] = tangents.inverse();
-            area += m_surface.areas()[f];
-            cells += m_surface.areas()[f] / tangents.determinant();
-        }
-        const double length = m_length * std::sqrt(cells / area);
+        const double length = length_for(present, smallest_angle, opened);
+        const double momentum = k_momentum * round / (round + 3);
         double change = 0;
         for (std::size_t f = 0; f < m_gradients.size(); ++f) {
-            m_gradients[f] /= length;
-            // A triangle that is hardly one may have any gradient, which would grow from round to round.
-            if (present[f].norm() < k_steepest * m_gradients[f].norm())
-                m_gradients[f] = present[f] + k_over_relaxation * (m_gradients[f] - present[f]);
-            change = std::max(change, m_length * (m_gradients[f] - before[f]).cwiseAbs().maxCoeff());
+            const Eigen::Matrix2d unit = length * present[f];
+            const Eigen::Matrix2d nearest = m_is_regular ? rhomb_on_axes(unit, smallest_angle, steps, opened)
+                                                         : rhomb(unit.inverse(), smallest_angle);
+            const Eigen::Matrix2d aim = nearest / length, before = m_gradients[f];
+            if (m_is_regular)
+                m_gradients[f] = aim + momentum * (aim - m_aims[f]);
+            else if (present[f].norm() < k_steepest * aim.norm())
+                m_gradients[f] = present[f] + k_over_relaxation * (aim - present[f]);
+            else  // a triangle that is hardly one may have any gradient, which would grow from round to round
+                m_gradients[f] = aim;
+            m_aims[f] = aim;
+            change = std::max(change, m_length * (m_gradients[f] - before).cwiseAbs().maxCoeff());
         }
         assemble_targets();
         return change;
+    }
+
+    /// Of the edges of so many cells as there were of squares, sheared as those of a map with these gradients.
+    double length_for(const std::vector<Eigen::Matrix2d>& gradients, double smallest_angle, double opened) const {
+        double area = 0, squares = 0;
+        for (int f = 0; f < m_surface.face_count(); ++f) {
+            const Eigen::Matrix2d sides = gradients[f].inverse();
+            const double angle = is_turned_over(sides)
+                                     ? std::numbers::pi / 2
+                                     : opened_by(opened, kept_open(angle_between(sides), smallest_angle));
+            area += m_surface.areas()[f];
+            squares += m_surface.areas()[f] / std::sin(angle);
+        }
+        return m_length * std::sqrt(squares / area);
     }
 
     static bool is_turned_over(const Eigen::Matrix2d& sides) {
@@ -505,7 +528,8 @@ private:
     }
 
     static double kept_open(double angle, double smallest_angle) {
-        return std::clamp(angle, smallest_angle, std::numbers::pi - smallest_angle);
+        const double least = std::max(smallest_angle, k_narrowest);
+        return std::clamp(angle, least, std::numbers::pi - least);
     }
 
     /// By that part of it if it is sheared by a right angle, and by less, by the third power, if by less.
@@ -515,25 +539,41 @@ private:
         return angle + part * k_square * sheared * sheared * sheared;
     }
 
-    /// The sides of the rhomb of side 1 with diagonals between the axes that is as acute as the cell with these sides,
-    /// but not too acute, and `opened`; of a cell that is turned over, a square.
-    static Eigen::Matrix2d rhomb_on_axes(const Eigen::Matrix2d& sides, double smallest_angle, double opened) {
-        if (is_turned_over(sides)) return Eigen::Matrix2d::Identity();
-        const double angle = opened_by(opened, kept_open(angle_between(sides), smallest_angle));
-        const double away = (std::numbers::pi / 2 - angle) / 2;  // of either side from its axis
+    /// The gradient of the map onto the rhomb of side 1 with diagonals between the axes that is as acute as the cell
+    /// with this gradient, or after some Gauss-Newton steps the nearest to it, but not too acute, and `opened`; of a
+    /// cell that is turned over, onto a square. Along the diagonals it is 1 / (√2 cos h) and 1 / (√2 sin h), where h is
+    /// half an angle.
+    static Eigen::Matrix2d rhomb_on_axes(const Eigen::Matrix2d& gradient, double smallest_angle, int steps,
+                                         double opened) {
+        const double sum = gradient.sum() / 2, difference = (gradient.trace() - gradient(0, 1) - gradient(1, 0)) / 2;
+        if (!(sum > 0) || !(difference > 0)) return Eigen::Matrix2d::Identity();
+        double angle = kept_open(2 * std::atan2(sum, difference), smallest_angle);
+        for (int k = 0; k < steps; ++k) {
+            const auto [along, across] = on_diagonals(angle);
+            const double tangent = std::tan(angle / 2), by_along = along * tangent, by_across = -across / tangent;
+            const double fall = (sum - along) * by_along + (difference - across) * by_across;
+            angle = kept_open(angle + 2 * fall / (by_along * by_along + by_across * by_across), smallest_angle);
+        }
+        const auto [along, across] = on_diagonals(opened_by(opened, angle));
         Eigen::Matrix2d rhomb;
-        rhomb << std::cos(away), std::sin(away), std::sin(away), std::cos(away);
-        return rhomb;
+        rhomb << along + across, along - across, along - across, along + across;
+        return rhomb / 2;
     }
 
-    /// The same with its sides along those of the cell, however it lies.
+    /// What the gradient of a map onto rhombs of side 1 is along their diagonals.
+    static std::array<double, 2> on_diagonals(double angle) {
+        return {std::numbers::sqrt2 / 2 / std::cos(angle / 2), std::numbers::sqrt2 / 2 / std::sin(angle / 2)};
+    }
+
+    /// The gradient of the map onto the rhomb of side 1 with its sides along those of the cell, however it lies, but
+    /// not too acute; of a cell that is turned over, onto a square.
     static Eigen::Matrix2d rhomb(const Eigen::Matrix2d& sides, double smallest_angle) {
         if (is_turned_over(sides)) return Eigen::Matrix2d::Identity();
         const double angle = angle_between(sides), opened = kept_open(angle, smallest_angle) - angle;
         Eigen::Matrix2d rhomb;
         rhomb << Eigen::Rotation2Dd(-opened / 2) * sides.col(0).normalized(),
             Eigen::Rotation2Dd(opened / 2) * sides.col(1).normalized();
-        return rhomb;
+        return rhomb.inverse();
     }
 
     /// The vertices' own coordinates are rounded to parts of a cell, and all others follow exactly.
@@ -579,7 +619,8 @@ private:
     std::vector<IntegerCondition> m_conditions;
     std::vector<Entry> m_entries;              // of rows, see list_rows()
     std::vector<std::size_t> m_row_start;      // of each side and axis, and the end
-    std::vector<Eigen::Matrix2d> m_gradients;  // of each triangle, those aimed at, of coordinates in the field's frame
+    std::vector<Eigen::Matrix2d> m_gradients;  // of each triangle, those the map follows, in the field's frame
+    std::vector<Eigen::Matrix2d> m_aims;       // those of rhombs that the last round has aimed at
     Eigen::SparseMatrix<double> m_A, m_C;
     Eigen::MatrixXd m_D;
     Eigen::VectorXd m_b, m_d;

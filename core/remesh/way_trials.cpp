@@ -36,11 +36,12 @@ constexpr int k_trial_cells = 1500;
 constexpr double k_clearly_less = 0.95;
 // What counts against a net, where a mean distance of one edge from the surface counts 1: area that is not covered, of
 // all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians; how much
-// cells are tilted against the surface, in radians, on average; borders of gaps and crumpled edges, by their length,
-// where that of a net line across all of the net counts 1. A net with less than k_good_cost in all needs no rival, one
-// with less than k_fair_cost none with cones.
+// cells are tilted against the surface, in radians, on average; the part of cells that are sheared much; borders of
+// gaps and crumpled edges, by their length, where that of a net line across all of the net counts 1, and that there is
+// a crumple at all. A net with less than k_good_cost in all needs no rival, one with less than k_fair_cost none with
+// cones.
 constexpr double k_gap_weight = 5, k_border_weight = 0.05, k_sharp_weight = 0.1, k_tilt_weight = 1;
-constexpr double k_open_weight = 0.1, k_fold_weight = 1;
+constexpr double k_much_sheared_weight = 0.22, k_open_weight = 0.1, k_fold_weight = 1, k_crumpled_weight = 0.1;
 constexpr double k_good_cost = 0.08, k_fair_cost = 0.12;
 // A way is not tried to its end if edges err by more than this before a net is fitted (evened_error()), for that would
 // be crumpled in hundreds of places; lines along the border, which leave no room for shear, if they err by less, and by
@@ -263,7 +264,8 @@ private:
         const double lines = k_open_weight * report.open_border / report.length + k_fold_weight * folds;
         return k_gap_weight * (1 - report.coverage) + distances / report.length +
                k_sharp_weight * std::max(0.0, k_open_angle - report.smallest_angle) +
-               k_tilt_weight * mean_tilt(*m_guide, net) + lines / std::sqrt(net.face_count());
+               k_tilt_weight * mean_tilt(*m_guide, net) + k_much_sheared_weight * report.much_sheared +
+               lines / std::sqrt(net.face_count()) + (folds > 0 ? k_crumpled_weight : 0);
     }
 
     std::shared_ptr<const Guide> m_guide;
