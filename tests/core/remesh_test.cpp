@@ -345,7 +345,7 @@ TEST_CASE("A net whose corners cannot all keep the limit says how many quads do 
     CHECK(remesh(guide, options).sharp_quads == 0);
     // Hardly any number of so few cells suits the inside and the outside.
     options.cells = 36;
-    const Remesh made = remesh(std::make_shared<const Guide>(Surface(samples::torus(24, 12, 3, 1))), options);
+    const Remesh made = remesh(std::make_shared<const Guide>(Surface(samples::torus(24, 12, 2.5, 1))), options);
     const Positions& x = made.net.rest_positions();
     CHECK(corner_angle_range(made.net, x).smallest < options.smallest_angle - 0.01);
     CHECK(made.sharp_quads > 0);
