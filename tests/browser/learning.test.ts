@@ -91,8 +91,8 @@ test('each paragraph is shown by the net', async () => {
   const { page, script } = visit;
   const before = await script.positions();
   await page.getByText('Learn', { exact: true }).click();
-  const now = page.getByText(/^Now: p = /);
-  expect(await now.innerText()).toMatch(/p = 2;.* r = 1\.0000$/);
+  const now = page.getByText(/^Now: p\s=\s/);
+  expect(await now.innerText()).toMatch(/p\s=\s2;.* r\s=\s1\.0000$/);
   await page.screenshot({ path: join(OUTPUT, 'learn.png') });
 
   // A handle goes a little way and comes back.
@@ -107,7 +107,7 @@ test('each paragraph is shown by the net', async () => {
   // The worst edge climbs a wall, then stage by stage comes down.
   await showMe(visit, /climbing/);
   await expect
-    .poll(async () => Number(/r = (.*)$/.exec(await now.innerText())![1]))
+    .poll(async () => Number(/r\s=\s(.*)$/.exec(await now.innerText())![1]))
     .toSatisfy((r: number) => Math.abs(r - 1) > 0.02);
   expect(await page.getByLabel('Colours').inputValue()).toBe('paper');
   // A step that waits is no failure.
