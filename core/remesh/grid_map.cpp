@@ -129,11 +129,11 @@ private:
         shear_in_rounds(m_is_regular ? k_shearing_rounds : k_rounds_to_choose, go_on, [&](int round, double part) {
             integers = -m_N * inverse.solve(slope());
             const double opened = std::lerp(aim.first, aim.last, part);
-            return shear(reals_with(integers), integers, smallest_angle, aim.steps, opened, round);
+            return shear(reals_with(integers), integers, {round, smallest_angle, aim.steps, opened});
         });
         integers = m_N * fitting_integers(m_S, slope(), 0);
         shear_in_rounds(m_is_regular ? k_shearing_rounds : k_rounds_when_chosen, go_on, [&](int round, double) {
-            return shear(reals_with(integers), integers, smallest_angle, aim.steps, aim.last, round);
+            return shear(reals_with(integers), integers, {round, smallest_angle, aim.steps, aim.last});
         });
         Eigen::VectorXd reals = reals_with(integers);
         const double cost = cost_of(gradients_of(reals, integers));
@@ -478,19 +478,25 @@ private:
         }
     }
 
+    struct Round {
+        int number;
+        double smallest_angle;  // of cells
+        int steps;              // as of an Aim
+        double opened;
+    };
+
     /// Aims at what is nearest to the map that these unknowns make among cells with edges of one length; without
     /// singular vertices, sheared along a diagonal of the field. There are as many of them as there were of squares.
     /// Returns how much a gradient changes at most, beside a square's.
-    double shear(const Eigen::VectorXd& reals, const Eigen::VectorXd& integers, double smallest_angle, int steps,
-                 double opened, int round) {
+    double shear(const Eigen::VectorXd& reals, const Eigen::VectorXd& integers, const Round& round) {
         const std::vector<Eigen::Matrix2d> present = gradients_of(reals, integers);
-        const double length = length_for(present, smallest_angle, opened);
-        const double momentum = k_momentum * round / (round + 3);
+        const double length = length_for(present, round);
+        const double momentum = k_momentum * round.number / (round.number + 3);
         double change = 0;
         for (std::size_t f = 0; f < m_gradients.size(); ++f) {
             const Eigen::Matrix2d unit = length * present[f];
-            const Eigen::Matrix2d nearest = m_is_regular ? rhomb_on_axes(unit, smallest_angle, steps, opened)
-                                                         : rhomb(unit.inverse(), smallest_angle);
+            const Eigen::Matrix2d nearest =
+                m_is_regular ? rhomb_on_axes(unit, round) : rhomb(unit.inverse(), round.smallest_angle);
             const Eigen::Matrix2d aim = nearest / length, before = m_gradients[f];
             if (m_is_regular)
                 m_gradients[f] = aim + momentum * (aim - m_aims[f]);
@@ -506,13 +512,13 @@ private:
     }
 
     /// Of the edges of so many cells as there were of squares, sheared as those of a map with these gradients.
-    double length_for(const std::vector<Eigen::Matrix2d>& gradients, double smallest_angle, double opened) const {
+    double length_for(const std::vector<Eigen::Matrix2d>& gradients, const Round& round) const {
         double area = 0, squares = 0;
         for (int f = 0; f < m_surface.face_count(); ++f) {
             const Eigen::Matrix2d sides = gradients[f].inverse();
             const double angle = is_turned_over(sides)
                                      ? std::numbers::pi / 2
-                                     : opened_by(opened, kept_open(angle_between(sides), smallest_angle));
+                                     : opened_by(round.opened, kept_open(angle_between(sides), round.smallest_angle));
             area += m_surface.areas()[f];
             squares += m_surface.areas()[f] / std::sin(angle);
         }
@@ -543,18 +549,17 @@ private:
     /// with this gradient, or after some Gauss-Newton steps the nearest to it, but not too acute, and `opened`; of a
     /// cell that is turned over, onto a square. Along the diagonals it is 1 / (√2 cos h) and 1 / (√2 sin h), where h is
     /// half an angle.
-    static Eigen::Matrix2d rhomb_on_axes(const Eigen::Matrix2d& gradient, double smallest_angle, int steps,
-                                         double opened) {
+    static Eigen::Matrix2d rhomb_on_axes(const Eigen::Matrix2d& gradient, const Round& round) {
         const double sum = gradient.sum() / 2, difference = (gradient.trace() - gradient(0, 1) - gradient(1, 0)) / 2;
         if (!(sum > 0) || !(difference > 0)) return Eigen::Matrix2d::Identity();
-        double angle = kept_open(2 * std::atan2(sum, difference), smallest_angle);
-        for (int k = 0; k < steps; ++k) {
+        double angle = kept_open(2 * std::atan2(sum, difference), round.smallest_angle);
+        for (int k = 0; k < round.steps; ++k) {
             const auto [along, across] = on_diagonals(angle);
             const double tangent = std::tan(angle / 2), by_along = along * tangent, by_across = -across / tangent;
             const double fall = (sum - along) * by_along + (difference - across) * by_across;
-            angle = kept_open(angle + 2 * fall / (by_along * by_along + by_across * by_across), smallest_angle);
+            angle = kept_open(angle + 2 * fall / (by_along * by_along + by_across * by_across), round.smallest_angle);
         }
-        const auto [along, across] = on_diagonals(opened_by(opened, angle));
+        const auto [along, across] = on_diagonals(opened_by(round.opened, angle));
         Eigen::Matrix2d rhomb;
         rhomb << along + across, along - across, along - across, along + across;
         return rhomb / 2;

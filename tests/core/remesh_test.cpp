@@ -1090,6 +1090,22 @@ TEST_CASE("A tower gets so many cells around that they are sheared alike where i
     }
 }
 
+TEST_CASE("A ring is neither sheared nor crumpled for what singular vertices do better", "[large]") {
+    // A pseudosphere, from its rim to where it is a quarter as wide: closed, half of its cells would be sheared much.
+    const Surface horn(samples::quads(64, 40, true, false, [](int i, int j) {
+        const double u = 2 * std::numbers::pi * i / 64, t = 2 * j / 39.;
+        return Eigen::Vector3d(std::cos(u) / std::cosh(t), std::sin(u) / std::cosh(t), t - std::tanh(t));
+    }));
+    const auto guide = std::make_shared<const Guide>(horn);
+    for (const int cells : {400, 700}) {
+        const Net net = remesh(guide, of_cells(cells)).net;
+        const DrapeReport report = measure_drape(horn, guide->tree(), net);
+        CHECK(report.much_sheared < 0.2);
+        CHECK(report.coverage > 0.99);
+        CHECK(crumpled_edges(*guide, net) == 0);
+    }
+}
+
 TEST_CASE("A tube is not drawn out where its cells may shear: they stay as square as they can be") {
     // Unrolled it is flat: squares fit all of it but its upper border, which is at a slant.
     const Surface tube(samples::quads(48, 33, true, false, [](int i, int j) {
