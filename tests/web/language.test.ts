@@ -101,6 +101,11 @@ describe('what the core says has Chinese words:', () => {
     expect(names(ZH_PANELS.OPTIONS)).toEqual(byName(options));
     const stages = tables.methods.flatMap((each) => each.stages).filter((stage) => stage !== '');
     expect(names(ZH_PANELS.STAGES)).toEqual([...new Set(stages)].sort());
+    for (const [{ core: said }, all] of [
+      [en, tables.shapes],
+      [zh, shapes],
+    ] as const)
+      for (const { name, title } of all) expect(said.shapes()[name] ?? name).toBe(title.toLowerCase());
     for (const { title, sentence } of shapes) expect([title, sentence].every((text) => HAN.test(text))).toBe(true);
     const all = [
       ...shapes.flatMap(({ parameters }) => parameters),

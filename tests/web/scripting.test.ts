@@ -32,6 +32,14 @@ async function refusal(doing: () => unknown): Promise<unknown> {
   return expect.fail('it was not refused');
 }
 
+test('a recipe may call a shape as its button says', async () => {
+  const { app, script } = await pageWithDome();
+  for (const { name, title } of core.shapes()) {
+    await script.open({ recipe: `${title}:vertices=200` });
+    expect(app.opening?.document.net).toEqual({ recipe: `${name}:vertices=200` });
+  }
+});
+
 test.each<[call: keyof Scripting, given: unknown[], said: string]>([
   ['open', [], 'net must be a record with named fields'],
   ['open', ['dome'], 'net must be a record with named fields'],

@@ -151,6 +151,11 @@ describe('a scene comes back', () => {
     expect(decodeScene(hashOf(documentAt(null)))).not.toHaveProperty('experiment');
   });
 
+  test('whose shape is called as its button says', () => {
+    const net = { recipe: ' Waves :vertices=600' };
+    expect(decodeScene(hashOf({ ...documentAt(null), net }))).toMatchObject({ net: { recipe: 'wave:vertices=600' } });
+  });
+
   test('while it is being solved', () => {
     expect(decodeScene(hashOf({ ...documentAt(moved), settled: false })).settled).toBe(false);
   });

@@ -1,7 +1,7 @@
 /** Arguments of the calls of `window.chebnet`, which may be anything, from a script or a host page. Each reader gives a value
  *  of its type or throws a Failure that says which argument must be what. */
 import type { Axes } from '../../wasm/chebnet';
-import { readCoreName } from './document/core_name';
+import { readCoreName, readRecipe } from './document/core_name';
 import { axesToSlide, type GuideSource, LONGEST_FILE_NAME, LONGEST_NAME, type Vec3 } from './document/document';
 import type { Untrusted } from './document/untrusted';
 import { Failure } from './failure';
@@ -43,7 +43,7 @@ const SURFACE_FIELDS = ['own', 'vertices', 'faces', 'name'];
 /** @param longest characters of an OBJ. */
 export function readNet(net: Untrusted, longest = Infinity): ScriptNet {
   refuseOthers(net, NET_FIELDS);
-  const recipe = net.at('recipe').maybe(readCoreName);
+  const recipe = net.at('recipe').maybe(readRecipe);
   if (recipe !== undefined) return { recipe };
   const obj = net.at('obj').maybe((each) => each.text(longest)) ?? net.fail(scriptWords.net);
   const name = net.at('name').maybe((each) => each.name(LONGEST_FILE_NAME));

@@ -34,7 +34,7 @@ const SETTINGS = new Map<string, { label: string; usual?: string; textOf(value: 
 ]);
 
 const KINDS = {
-  shape: words.core.shape,
+  shape: (name: string) => words.core.shapes()[name] ?? name,
   /** One of the core's own. */
   surface: (name: string) => panelWords.guide.own[name as keyof typeof panelWords.guide.own] ?? name,
   method: words.core.method,

@@ -177,7 +177,7 @@ function titleOf(edit: string): string {
   const { net, vertices } = EDITS[edit]!;
   if ('mesh' in net) return texts.meshes[net.mesh as keyof typeof texts.meshes] ?? net.mesh;
   const [shape = ''] = net.recipe.split(':');
-  return texts.edit(words.core.shape(shape), vertices === undefined ? '' : count(vertices));
+  return texts.edit(words.core.shapes()[shape] ?? shape, vertices === undefined ? '' : count(vertices));
 }
 
 /** Nothing if there is only one to choose. */

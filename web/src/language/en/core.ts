@@ -14,13 +14,16 @@ const METHODS: Record<string, string> = {
   lbfgs: 'L-BFGS',
 };
 
+/** Shapes whose button does not say their name. */
+const SHAPES: Record<string, string> = { wave: 'waves' };
+
 export const core = {
   /** With titles for people. */
   tables: (tables: Tables) => tables,
   /** A parameter of a shape. */
   parameter: (name: string) => readable(name),
-  /** A shape within a sentence. */
-  shape: (name: string) => (name === 'wave' ? 'waves' : name.replaceAll('_', ' ')),
+  /** By their names, shapes that are called otherwise: within a sentence and, but for capitals, on their buttons. */
+  shapes: () => SHAPES,
   /** A method or an initialisation. */
   method: (name: string) => METHODS[name] ?? readable(name),
   /** What went wrong. */

@@ -101,7 +101,7 @@ export const core = {
     ...more,
   }),
   parameter: (name: string) => PARAMETERS[name] ?? name,
-  shape: (name: string) => SHAPES[name] ?? name,
+  shapes: () => SHAPES,
   method: (name: string) => METHODS[name] ?? INITIALISATIONS[name] ?? name,
   failure: (code: string, message: string) => {
     const said = CORE_ERRORS[code];
