@@ -7,6 +7,7 @@ import { load } from '../wasm/load';
 import { dragBy, largestError } from './geometry';
 import type { Script, Visit } from './page';
 import { OUTPUT, allSections, drawn, openForResearch, room, visits } from './page';
+import { pixels } from './pixels';
 
 const SHAPE = 'vault:vertices=1000';
 const METHODS = ['li2022', 'projection', 'composite_majorization', 'local_global'];
@@ -251,16 +252,9 @@ test.each([
 async function shadeOf(part: Locator, at: number): Promise<number> {
   await drawn(visit.page);
   const { x, y, width, height } = (await part.boundingBox())!;
-  const png = await visit.page.screenshot({ clip: { x: x + width - 6, y: y + at * height, width: 1, height: 1 } });
-  return visit.page.evaluate(
-    async (bytes) => {
-      const picture = await createImageBitmap(new Blob([Uint8Array.from(bytes)], { type: 'image/png' }));
-      const context = new OffscreenCanvas(1, 1).getContext('2d')!;
-      context.drawImage(picture, 0, 0);
-      return 1 - context.getImageData(0, 0, 1, 1).data[0]! / 255;
-    },
-    [...png],
-  );
+  const clip = { x: x + width - 6, y: y + at * height, width: 1, height: 1 };
+  const colours = await pixels(visit.page, await visit.page.screenshot({ clip }));
+  return colours.evaluate(([red]) => 1 - red! / 255);
 }
 
 test.each([

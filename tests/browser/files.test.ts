@@ -8,6 +8,7 @@ import { load } from '../wasm/load';
 import { distance, dragBy, largestDeviation, largestError } from './geometry';
 import type { Script, Visit } from './page';
 import { dropFile, OUTPUT, visits } from './page';
+import { pixels } from './pixels';
 
 const chebnet = await load();
 const reference = chebnet.openRecipe('vault:vertices=600');
@@ -108,17 +109,12 @@ test('a PLY is dropped, reported on, opened, dragged, and saved in every format'
 });
 
 /** The opacity of the first pixel of a PNG, and whether there are opaque ones. */
-function cornerAndCoverage(png: Uint8Array) {
-  return visit.page.evaluate(
-    async (bytes) => {
-      const picture = await createImageBitmap(new Blob([Uint8Array.from(bytes)], { type: 'image/png' }));
-      const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d')!;
-      context.drawImage(picture, 0, 0);
-      const { data } = context.getImageData(0, 0, picture.width, picture.height);
-      return { corner: data[3], covered: data.some((value, i) => i % 4 === 3 && value === 255) };
-    },
-    [...png],
-  );
+async function cornerAndCoverage(png: Uint8Array) {
+  const colours = await pixels(visit.page, png);
+  return colours.evaluate((data) => ({
+    corner: data[3],
+    covered: data.some((value, i) => i % 4 === 3 && value === 255),
+  }));
 }
 
 test('a net that lies on its back is guessed to have y up, asked about with pictures, and stands', async () => {

@@ -8,6 +8,7 @@ import { load } from '../wasm/load';
 import { distance, dragBy, vertexAt } from './geometry';
 import type { Script, Visit } from './page';
 import { drawn, OUTPUT, visits } from './page';
+import { pixels } from './pixels';
 
 const SHAPE = 'vault:vertices=500';
 
@@ -182,15 +183,12 @@ describe('a part of the net', () => {
   async function isSeen(vertex: number): Promise<boolean> {
     const { x, y } = await script.screenPosition(vertex);
     await visit.page.mouse.move(5, 5);
-    const bytes = [...(await visit.page.screenshot({ clip: { x: x - 6, y: y - 6, width: 12, height: 12 } }))];
-    const data = await visit.page.evaluate(async (png) => {
-      const picture = await createImageBitmap(new Blob([Uint8Array.from(png)], { type: 'image/png' }));
-      const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d')!;
-      context.drawImage(picture, 0, 0);
-      return [...context.getImageData(0, 0, picture.width, picture.height).data];
-    }, bytes);
-    const greens = data.filter((_, i) => i % 4 === 1);
-    return Math.max(...greens) - Math.min(...greens) > 60;
+    const clip = { x: x - 6, y: y - 6, width: 12, height: 12 };
+    const colours = await pixels(visit.page, await visit.page.screenshot({ clip }));
+    return colours.evaluate((data) => {
+      const greens = data.filter((_, i) => i % 4 === 1);
+      return Math.max(...greens) - Math.min(...greens) > 60;
+    });
   }
 
   test('is shown alone by a button, and all of it again by another; what is hidden cannot be taken', async () => {

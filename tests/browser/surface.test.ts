@@ -7,6 +7,7 @@ import { load } from '../wasm/load';
 import { distance, dragBy, largestDeviation, largestError } from './geometry';
 import type { Script, Visit } from './page';
 import { OUTPUT, allSections, drawn, dropFile, room, visits } from './page';
+import { pixels } from './pixels';
 
 const chebnet = await load();
 
@@ -270,17 +271,9 @@ async function blueOfFreeHandle({ page, script }: Visit): Promise<number> {
   await drawn(page);
   const { vertex } = (await page.evaluate(() => window.chebnet.handles())).filter(({ anchor }) => !anchor).at(-1)!;
   const { x, y } = await script.screenPosition(vertex);
-  const png = await page.screenshot({ clip: { x: x - 2, y: y - 2, width: 4, height: 4 } });
-  return page.evaluate(
-    async (bytes) => {
-      const picture = await createImageBitmap(new Blob([Uint8Array.from(bytes)], { type: 'image/png' }));
-      const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d')!;
-      context.drawImage(picture, 0, 0);
-      const { data } = context.getImageData(0, 0, picture.width, picture.height);
-      return Math.max(...data.filter((_, i) => i % 4 === 2));
-    },
-    [...png],
-  );
+  const clip = { x: x - 2, y: y - 2, width: 4, height: 4 };
+  const colours = await pixels(page, await page.screenshot({ clip }));
+  return colours.evaluate((data) => Math.max(...data.filter((_, i) => i % 4 === 2)));
 }
 
 test('a handle that the net hides from the usual sides is seen where it is to be pulled', async () => {

@@ -6,6 +6,7 @@ import type { CameraPlace, HandleSeed, UpAxis, ViewPlace } from '../document/doc
 import { directionsTowards, isClear, isHidden } from '../drape/seen_from';
 import { directionFor } from '../view/camera_fit';
 import { Space } from '../view/space';
+import { fanTriangles } from '../worker/triangles';
 
 /** In the scene: about as far as an eye stands that sees the whole net. */
 const AWAY = 3.5;
@@ -17,7 +18,7 @@ export function sideOf(net: Mesh, handles: readonly HandleSeed[], upAxis: UpAxis
   if (free === undefined) return { camera: null };
   const space = new Space(net.positions, upAxis);
   const corners = inScene(net.positions, space);
-  const triangles = trianglesOf(net);
+  const triangles = fanTriangles(net.faceStart, net.faceVertices);
   const place = new Vector3().fromArray(corners, 3 * free.vertex);
   const front = directionFor();
   const back = directionFor('free', true);
@@ -44,17 +45,7 @@ function inScene(positions: Float64Array, space: Space): Float32Array {
   return corners;
 }
 
-function trianglesOf({ faceStart, faceVertices }: Mesh): number[] {
-  const triangles: number[] = [];
-  for (let face = 0; face + 1 < faceStart.length; face++) {
-    const [first, end] = [faceStart[face]!, faceStart[face + 1]!];
-    for (let i = first + 1; i + 1 < end; i++)
-      triangles.push(faceVertices[first]!, faceVertices[i]!, faceVertices[i + 1]!);
-  }
-  return triangles;
-}
-
-function normalAt(vertex: number, corners: Float32Array, triangles: readonly number[]): Vector3 {
+function normalAt(vertex: number, corners: Float32Array, triangles: ArrayLike<number>): Vector3 {
   const [a, b, c, sum] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
   for (let t = 0; t < triangles.length; t += 3) {
     if (![0, 1, 2].some((i) => triangles[t + i] === vertex)) continue;
