@@ -105,6 +105,7 @@ test('on its way it can be given up for the net of before; a drag moves it, Esca
   const before = await placeOf(dragged);
   const moved = async () => distance(await placeOf(dragged), before);
   await dragBy(script, dragged, [-40, -30], {
+    steps: 3, // each is waited for until it is drawn
     atEnd: async () => {
       await expect.poll(moved, { timeout: 30_000 }).toBeGreaterThan(meanLength);
       await page.keyboard.press('Escape');
