@@ -59,6 +59,8 @@ export function fanOfQuads(count: number): string {
 }
 
 interface Watching {
+  /** Moves of the pointer. */
+  steps?: number;
   /** After each move of the pointer. */
   during?(): Promise<void>;
   /** Before the button is let go. */
@@ -69,7 +71,7 @@ interface Watching {
 export async function dragBy(script: Script, vertex: number, [dx, dy]: [number, number], watching: Watching = {}) {
   const { mouse } = script.page;
   const { x, y } = await script.screenPosition(vertex);
-  const steps = 10;
+  const { steps = 10 } = watching;
   await mouse.move(x, y);
   await mouse.down();
   for (let i = 1; i <= steps; ++i) {

@@ -105,6 +105,7 @@ test('on its way it can be given up for the net of before; a drag moves it, Esca
   const before = await placeOf(dragged);
   const moved = async () => distance(await placeOf(dragged), before);
   await dragBy(script, dragged, [-40, -30], {
+    steps: 3, // each is waited for until it is drawn
     atEnd: async () => {
       await expect.poll(moved, { timeout: 30_000 }).toBeGreaterThan(meanLength);
       await page.keyboard.press('Escape');
@@ -152,11 +153,10 @@ test('beside Stop all that the status can say is read', async () => {
   await script.open({ recipe });
   await script.settled();
   const row = page.locator('.status');
-  const heightOf = async () => (await row.boundingBox())!.height;
   const heights = new Map<number, number>();
   for (const width of [768, 1366]) {
     await page.setViewportSize({ width, height: 500 });
-    heights.set(width, await heightOf());
+    heights.set(width, await row.evaluate((element) => element.getBoundingClientRect().height));
   }
   await solveWithoutEnd();
   const [x, y, z] = await placeOf(vertex);
@@ -164,16 +164,20 @@ test('beside Stop all that the status can say is read', async () => {
   await row.getByRole('button', { name: 'Stop', exact: true }).waitFor();
   for (const [width, height] of heights) {
     await page.setViewportSize({ width, height: 500 });
-    for (const words of Object.values(en.status)) {
-      const isCut = await page.locator('.status-words').evaluate((element, text) => {
-        element.textContent = text;
-        return element.scrollHeight > element.clientHeight;
-      }, words);
-      expect(isCut, words).toBe(false);
-      expect(await heightOf(), words).toBe(height);
-    }
+    const found = await row.evaluate(looksOfAll, Object.values(en.status));
+    for (const { text, ...look } of found) expect(look, text).toEqual({ isCut: false, height });
   }
 });
+
+/** Runs in the page: how it looks with each text in turn. All in one call, for what solves draws between calls. */
+function looksOfAll(row: Element, texts: string[]): { text: string; isCut: boolean; height: number }[] {
+  const words = row.querySelector('.status-words')!;
+  return texts.map((text) => {
+    words.textContent = text;
+    const isCut = words.scrollHeight > words.clientHeight;
+    return { text, isCut, height: row.getBoundingClientRect().height };
+  });
+}
 
 test('Stop waits until the hand lets go', async () => {
   const { page } = visit;
