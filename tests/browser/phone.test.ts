@@ -501,6 +501,24 @@ test.each([
   },
 );
 
+test('on a phone a message takes the place of the legend, and leaves the handles free', async () => {
+  const { page, script } = await arrive('#v2=AAAA', {
+    viewport: { width: 360, height: 740 },
+    hasTouch: true,
+    isMobile: true,
+  });
+  await allSections(page);
+  const said = page.locator('.message');
+  await said.waitFor();
+  const { y } = (await said.boundingBox())!;
+  const handles = await page.evaluate(() => window.chebnet.handles());
+  for (const { vertex } of handles) expect((await script.screenPosition(vertex)).y + 12).toBeLessThan(y);
+  expect(await overlaps(page, ['.message', '.toolbar:not(.selection-bar)', '.status'])).toEqual([]);
+  expect(await page.locator('.legend').isVisible()).toBe(false);
+  await said.getByRole('button').click();
+  await page.locator('.legend').waitFor();
+});
+
 test.each([
   [820, 1180],
   [1024, 768],
