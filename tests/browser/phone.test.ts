@@ -750,8 +750,12 @@ test.each([
   },
 );
 
-test.each(['en', 'zh-CN'])('what a list of the menu of exports says is read whole on a phone (%s)', async (locale) => {
-  const { page } = await arrive('', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, locale });
+test.each([
+  [390, 844, 'en'],
+  [390, 844, 'zh-CN'],
+  [740, 360, 'en'],
+])('at %i by %i what a list of the menu of exports says is read whole (%s)', async (width, height, locale) => {
+  const { page } = await arrive('', { viewport: { width, height }, hasTouch: true, isMobile: true, locale });
   await allSections(page);
   await page.getByRole('button', { name: /^(Export|导出)$/ }).tap();
   await page.locator('#export-menu:popover-open').waitFor();
