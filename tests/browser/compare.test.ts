@@ -248,6 +248,21 @@ test.each([
   expect(await page.locator('.legend').isVisible()).toBe(false);
 });
 
+test('on a tablet the net above a comparison stands beside the legend, as large as there is room', async () => {
+  const { page, script } = visit;
+  await page.setViewportSize({ width: 1024, height: 768 });
+  await edit('vault:vertices=200');
+  await compare();
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
+  await drawn(page);
+  const { x, width, height } = (await page.locator('.legend').boundingBox())!;
+  const { vertices } = await script.stats();
+  const places = await Promise.all(Array.from({ length: vertices }, (_, v) => script.screenPosition(v)));
+  const across = places.map((place) => place.x);
+  expect(Math.min(...across)).toBeGreaterThan(x + width);
+  expect(Math.max(...across) - Math.min(...across)).toBeGreaterThan(2 * height);
+});
+
 /** How dark it is at the right edge of what can be scrolled there, 0 … 1, at this part of its height. */
 async function shadeOf(part: Locator, at: number): Promise<number> {
   await drawn(visit.page);

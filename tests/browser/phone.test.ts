@@ -472,23 +472,51 @@ describe.each(LOW)('on a screen of $width × $height', (viewport) => {
 });
 
 test.each([
-  [820, 1180],
-  [1024, 768],
-])('on a tablet of %i by %i the tools of a selection have words, and leave the legend free', async (width, height) => {
-  const { page, script } = await share({ viewport: { width, height }, hasTouch: true, isMobile: true });
-  await page.locator('.group').waitFor({ state: 'attached' });
-  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
-  const { x, y } = await script.screenPosition(vertex);
-  await page.touchscreen.tap(x, y);
-  const tools = page.locator('.selection-bar');
-  await tools.waitFor();
-  expect(await faults(page, '.selection-bar')).toEqual([]);
-  const words = await tools
-    .locator('button:visible')
-    .evaluateAll((all) => all.map((each) => (each as HTMLElement).innerText));
-  expect(words.filter((text) => text.trim() === '')).toEqual([]);
-  const [above, legend] = [(await tools.boundingBox())!, (await page.locator('.legend').boundingBox())!];
-  expect(above.y + above.height).toBeLessThanOrEqual(legend.y);
+  [820, 1180, 'en'],
+  [1024, 768, 'en'],
+  [768, 1024, 'zh-CN'],
+])(
+  'on a tablet of %i by %i the tools of a selection have words, and leave legend and handles free (%s)',
+  async (...size) => {
+    const [width, height, locale] = size;
+    const { page, script } = await arrive('', { viewport: { width, height }, hasTouch: true, isMobile: true, locale });
+    await page.locator('.group').waitFor({ state: 'attached' });
+    const handles = await page.evaluate(() => window.chebnet.handles());
+    const places = await Promise.all(handles.map(({ vertex }) => script.screenPosition(vertex)));
+    const { x, y } = places.at(-1)!;
+    await page.touchscreen.tap(x, y);
+    const tools = page.locator('.selection-bar');
+    await tools.waitFor();
+    expect(await faults(page, '.selection-bar')).toEqual([]);
+    const words = await tools
+      .locator('button:visible')
+      .evaluateAll((all) => all.map((each) => (each as HTMLElement).innerText));
+    expect(words.filter((text) => text.trim() === '')).toEqual([]);
+    expect(await overlaps(page, ['.selection-bar', '.legend .bar', '.status'])).toEqual([]);
+    const box = (await tools.boundingBox())!;
+    expect(box.x).toBeGreaterThan(0);
+    const radius = 9;
+    for (const place of places)
+      expect(place.y + radius < box.y || place.x + radius < box.x || place.x - radius > box.x + box.width).toBe(true);
+  },
+);
+
+test('on a phone a message takes the place of the legend, and leaves the handles free', async () => {
+  const { page, script } = await arrive('#v2=AAAA', {
+    viewport: { width: 360, height: 740 },
+    hasTouch: true,
+    isMobile: true,
+  });
+  await allSections(page);
+  const said = page.locator('.message');
+  await said.waitFor();
+  const { y } = (await said.boundingBox())!;
+  const handles = await page.evaluate(() => window.chebnet.handles());
+  for (const { vertex } of handles) expect((await script.screenPosition(vertex)).y + 12).toBeLessThan(y);
+  expect(await overlaps(page, ['.message', '.toolbar:not(.selection-bar)', '.status'])).toEqual([]);
+  expect(await page.locator('.legend').isVisible()).toBe(false);
+  await said.getByRole('button').click();
+  await page.locator('.legend').waitFor();
 });
 
 test.each([
@@ -722,8 +750,12 @@ test.each([
   },
 );
 
-test.each(['en', 'zh-CN'])('what a list of the menu of exports says is read whole on a phone (%s)', async (locale) => {
-  const { page } = await arrive('', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, locale });
+test.each([
+  [390, 844, 'en'],
+  [390, 844, 'zh-CN'],
+  [740, 360, 'en'],
+])('at %i by %i what a list of the menu of exports says is read whole (%s)', async (width, height, locale) => {
+  const { page } = await arrive('', { viewport: { width, height }, hasTouch: true, isMobile: true, locale });
   await allSections(page);
   await page.getByRole('button', { name: /^(Export|导出)$/ }).tap();
   await page.locator('#export-menu:popover-open').waitFor();

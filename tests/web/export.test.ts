@@ -59,6 +59,30 @@ test('a pattern is drawn to scale, with its boundary and handles', () => {
   expect(svg).toContain('>a&lt;b&gt;&amp;   </text>');
 });
 
+test('names of handles on a pattern stand each in a cell of its own, clear of lines', () => {
+  const net = grid(4, 3);
+  const editor = chebnet.openMesh({ ...net, positions: net.restPositions });
+  const handles = [0, 1, 3, 5, 10, 11].map((vertex) => ({
+    vertex,
+    target: [0, 0, 0] as [number, number, number],
+    anchor: true,
+    name: String(1000 + vertex),
+  }));
+  const svg = patternSvg({ ...drawingOf(editor), handles });
+  const texts = svg.matchAll(/<text x="(.*?)" y="(.*?)" text-anchor="(.*?)" dy="0.35em" font-size="(.*?)">1\d{3}</g);
+  const cells = [...texts].map(([, x, y, anchor, size]) => {
+    const width = 4 * 0.62 * Number(size) * (anchor === 'end' ? -1 : 1);
+    const [from, to] = [Number(x), Number(x) + width].sort((a, b) => a - b) as [number, number];
+    const [top, bottom] = [Number(y) - Number(size) / 2, Number(y) + Number(size) / 2];
+    // Lines are a centimetre apart, the net between 1 cm and 4 or 3 cm.
+    expect(Math.floor(from / 10)).toBe(Math.floor(to / 10));
+    expect(Math.floor(top / 10)).toBe(Math.floor(bottom / 10));
+    expect([from, top, 40 - to, 30 - bottom].every((room) => room > 0)).toBe(true);
+    return `${Math.floor(from / 10)} ${Math.floor(top / 10)}`;
+  });
+  expect(new Set(cells).size).toBe(handles.length);
+});
+
 test('the pieces of a net are drawn beside each other, with numbers, and are meshes of their own in a 3DM', async () => {
   const corners = [0, 1, 2, 3, 4].flatMap((i) => [`v ${3 * i} 0 0`, `v ${3 * i + 1} 0 0`, `v ${3 * i + 1} 1 0`]);
   const ends = [0, 1, 2, 3, 4].map((i) => `v ${3 * i} 1 0`);

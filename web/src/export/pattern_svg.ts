@@ -23,11 +23,17 @@ export interface Drawing {
 /** Sizes as fractions of an edge. */
 const MARGIN = 1;
 const MARK_RADIUS = 0.16;
-/** Distance of a name from its mark. */
+/** Distance of a number from its piece. */
 const SHIFT = 0.22;
+/** Of a name from the sides of its cell. */
+const PADDING = 0.12;
 /** The sine of an angle, times two lengths. */
 const STRAIGHT = 1e-9;
 const LETTER = 0.45;
+/** A longer name than has room in a cell at this size runs on over the next one. */
+const SMALLEST_LETTER = 0.2;
+/** Of an average character, as a fraction of its size. */
+const CHARACTER_WIDTH = 0.62;
 /** Of a seam: as many as a cell has sides stand in it beside each other. */
 const SEAM_LETTER = 0.3;
 const NUMBER = 0.7;
@@ -39,10 +45,11 @@ const SEAM_COLOUR = '#1f5fbf';
 /** Right and down, in millimetres. */
 type Place = [number, number];
 
-/** One stroke a net line, the boundary bold; a mark with its name at each handle, letters along the two sides of a seam;
+/** One stroke a net line, the boundary bold; a mark at each handle, its name in a cell beside it; letters along the two sides of a seam;
  *  below, a bar of one edge. */
 export function patternSvg(drawing: Drawing): string {
-  const { pattern, lines, loops, handles, name, edgeMm } = drawing;
+  const { pattern, lines, loops, name, edgeMm } = drawing;
+  const seams = openSeams(drawing);
   const isBoundary = boundaryTest(listsOf(loops));
   const boundary = listsOf(lines).filter(isBoundary);
   const inner = listsOf(lines).filter((line) => !isBoundary(line));
@@ -56,11 +63,11 @@ export function patternSvg(drawing: Drawing): string {
     `<path id="net" stroke-width="${mm(THIN * edgeMm)}" d="${strokes(inner)}"/>`,
     `<path id="boundary" stroke-width="${mm(BOLD * edgeMm)}" d="${strokes(boundary)}"/>`,
     '</g>',
-    `<g id="handles" fill="#c0271f" font-family="sans-serif" font-size="${mm(LETTER * edgeMm)}">`,
-    ...handles.map((handle) => mark(handle, drawing)),
+    `<g id="handles" fill="#c0271f" font-family="sans-serif">`,
+    ...marks(drawing, seams),
     '</g>',
     ...(pattern.pieces.length > 1 ? [numbers(drawing)] : []),
-    ...seamLabels(drawing),
+    ...seamLabels(seams, drawing),
     scaleBar(height, edgeMm),
     '</svg>',
     '',
@@ -109,11 +116,24 @@ function numbers({ pattern: { pieces, rows: height }, edgeMm }: Drawing): string
   return `<g id="pieces" font-family="sans-serif" font-weight="bold" font-size="${mm(NUMBER * edgeMm)}">${labels.join('')}</g>`;
 }
 
-/** One letter for both sides of a seam that does not lie closed, beside an edge midway, half-way into its cell; at that edge
- *  an arrow, which points to the same end on both sides; dots at the ends. */
-function seamLabels(drawing: Drawing): string[] {
-  const { loops, restPositions, meanLength, pattern, edgeMm } = drawing;
-  const seams = seamsOf(loops, restPositions, meanLength).filter(isOpen);
+/** Those that do not lie closed: their sides are apart. */
+function openSeams({ loops, restPositions, meanLength, pattern: { places } }: Drawing): Seam[] {
+  return seamsOf(loops, restPositions, meanLength).filter(([one, other]) => {
+    const differs = (i: number, axis: number) => places[2 * one[i]! + axis] !== places[2 * other[i]! + axis];
+    return one.some((_, i) => differs(i, 0) || differs(i, 1));
+  });
+}
+
+/** The edge at which its letter stands. */
+function middleOf(side: readonly number[]): [number, number] {
+  const middle = (side.length - 1) >> 1;
+  return [side[middle]!, side[middle + 1]!];
+}
+
+/** One letter for both sides of a seam, beside an edge midway, half-way into its cell; at that edge an arrow, which points to
+ *  the same end on both sides; dots at the ends. */
+function seamLabels(seams: readonly Seam[], drawing: Drawing): string[] {
+  const { pattern, edgeMm } = drawing;
   if (seams.length === 0) return [];
   const cells = cellsAtSeams(seams, drawing);
   const labels = seams.flatMap((sides, number) => sides.map((side) => label(side, letters(number))));
@@ -121,16 +141,8 @@ function seamLabels(drawing: Drawing): string[] {
     `<g id="seams" fill="${SEAM_COLOUR}" font-family="sans-serif" font-size="${mm(SEAM_LETTER * edgeMm)}">${labels.join('')}</g>`,
   ];
 
-  /** Whether its sides do not lie on each other. */
-  function isOpen([one, other]: Seam): boolean {
-    const differs = (i: number, axis: number) =>
-      pattern.places[2 * one[i]! + axis] !== pattern.places[2 * other[i]! + axis];
-    return one.some((_, i) => differs(i, 0) || differs(i, 1));
-  }
-
   function label(side: readonly number[], letter: string): string {
-    const middle = (side.length - 1) >> 1;
-    const [from, to] = [side[middle]!, side[middle + 1]!];
+    const [from, to] = middleOf(side);
     const cell = cells.get(sideKey(from, to))!;
     const beside = (axis: 0 | 1) =>
       (cell[axis] + (pattern.places[2 * from + axis]! + pattern.places[2 * to + axis]!) / 2) / 2;
@@ -177,15 +189,40 @@ function letters(number: number): string {
   return number < 26 ? last : letters(Math.floor(number / 26) - 1) + last;
 }
 
-/** The name stands on the side where there is more of the pattern, so that it stays on the drawing. */
-function mark({ vertex, name = String(vertex) }: HandleData, drawing: Drawing): string {
+/** Each with its name in a cell at it, where no line runs: in one without another name or the letter of a seam, if there is such. */
+function marks(drawing: Drawing, seams: readonly Seam[]): string[] {
+  const { handles, faces } = drawing;
+  const cells = new Map<number, Int32Array[]>(handles.map(({ vertex }) => [vertex, []]));
+  for (const face of listsOf(faces)) for (const vertex of face) cells.get(vertex)?.push(face);
+  const lettered = new Set(seams.flatMap((sides) => sides.map((side) => sideKey(...middleOf(side)))));
+  const hasLetter = (face: Int32Array) =>
+    face.some((vertex, i) => lettered.has(sideKey(vertex, face[(i + 1) % face.length]!)));
+  const taken = new Set([...cells.values()].flat().filter(hasLetter));
+  return handles.map((handle) => {
+    const all = cells.get(handle.vertex)!;
+    const cell = all.find((each) => !taken.has(each)) ?? all[0]!;
+    taken.add(cell);
+    return mark(handle, cell, drawing);
+  });
+}
+
+/** The name stands at the vertex; one too long for the cell goes to where there is more of the pattern, and stays on the drawing. */
+function mark({ vertex, name = String(vertex) }: HandleData, cell: Int32Array, drawing: Drawing): string {
   const { pattern, edgeMm } = drawing;
   const [x, y] = place(vertex, drawing);
-  const onTheRight = 2 * pattern.places[2 * vertex]! > pattern.columns;
-  const [anchor, side] = onTheRight ? ['end', -1] : ['start', 1];
+  const [low, high] = ([Math.min, Math.max] as const).map((end) =>
+    [0, 1].map((axis) => end(...Array.from(cell, (each) => pattern.places[2 * each + axis]!))),
+  ) as [Place, Place];
+  const [width, height] = [high[0] - low[0] - 2 * PADDING, high[1] - low[1] - 2 * PADDING];
+  const fitting = Math.min(LETTER, height, width / (CHARACTER_WIDTH * name.length));
+  const size = Math.max(SMALLEST_LETTER, fitting);
+  const centre = (low[0] + high[0]) / 2;
+  const goesLeft = fitting < size ? centre > pattern.columns / 2 : centre < pattern.places[2 * vertex]!;
+  const [anchor, side] = goesLeft ? ['end', high[0] - PADDING] : ['start', low[0] + PADDING];
+  const [left, middle] = onPaper(side, (low[1] + high[1]) / 2, pattern.rows, edgeMm);
   return (
     `<circle cx="${x}" cy="${y}" r="${mm(MARK_RADIUS * edgeMm)}"/>` +
-    `<text x="${x}" y="${y}" text-anchor="${anchor}" dx="${mm(side * SHIFT * edgeMm)}" dy="${mm(-SHIFT * edgeMm)}">${escaped(name)}</text>`
+    `<text x="${left}" y="${middle}" text-anchor="${anchor}" dy="0.35em" font-size="${mm(size * edgeMm)}">${escaped(name)}</text>`
   );
 }
 
