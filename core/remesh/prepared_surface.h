@@ -19,8 +19,8 @@ std::shared_ptr<const Guide> without_small_holes(const std::shared_ptr<const Gui
                                                  const RemeshOptions& options);
 
 /// A net cannot follow what is smaller than its cells, and crumples where it is held near that: a rough surface is
-/// smoothed over a cell, or farther, until that tilts it no more. Any other is given back as it is, and so is one with
-/// creases that are to be followed. `go_on` is called meanwhile; whoever wants an end throws.
+/// smoothed over a cell, or farther, until that tilts it no more, or melts its shape. Any other is given back as it is,
+/// and so is one with creases that are to be followed. `go_on` is called meanwhile; whoever wants an end throws.
 std::shared_ptr<const Guide> without_noise(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options,
                                            const std::function<void()>& go_on);
 

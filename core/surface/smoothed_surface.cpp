@@ -95,4 +95,12 @@ double mean_tilt(const Surface& surface, const Surface& other) {
     return surface.area() > 0 ? sum / surface.area() : 0;
 }
 
+double mean_move(const Surface& surface, const Surface& other) {
+    double sum = 0;
+    for (int f = 0; f < surface.face_count(); ++f)
+        for (const int v : surface.triangles().col(f))
+            sum += surface.areas()[f] / 3 * (surface.positions().col(v) - other.positions().col(v)).norm();
+    return surface.area() > 0 ? sum / surface.area() : 0;
+}
+
 }  // namespace chebnet

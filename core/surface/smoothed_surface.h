@@ -31,4 +31,7 @@ std::shared_ptr<const Guide> without_roughness(const std::shared_ptr<const Guide
 /// the former's area; radians.
 double mean_tilt(const Surface& surface, const Surface& other);
 
+/// How far the vertices of a surface are from those of another with the same triangles, on the average of its area.
+double mean_move(const Surface& surface, const Surface& other);
+
 }  // namespace chebnet

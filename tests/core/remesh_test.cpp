@@ -433,6 +433,14 @@ TEST_CASE("A net over a rough scan is folded no more than one over the shape wit
     CHECK(sharp_folds(rough, rough.rest_positions(), k_fold) <= smooth_folds + 8);
 }
 
+TEST_CASE("The teeth of a wheel are no noise: its net keeps its shape") {
+    const Mesh wheel = samples::implicit_surface(48, {-1.5, -1.5, -0.5}, {1.5, 1.5, 0.5}, [](const Eigen::Vector3d& p) {
+        const double radius = p.head<2>().norm(), tooth = std::sin(7 * std::atan2(p.y(), p.x())) > 0 ? 0.25 : 0;
+        return std::max({std::abs(p.z()) - 0.3, radius - 1.05 - tooth, 0.45 - radius});
+    });
+    remeshed(Surface(wheel), of_cells(1500), 0);
+}
+
 TEST_CASE("Limbs get singular vertices of their own where cells would be sheared more without", "[large]") {
     const Surface tetrapod(
         samples::implicit_surface(40, {-2.2, -2.2, -2.2}, {2.2, 2.2, 2.2}, [](const Eigen::Vector3d& p) {
