@@ -204,6 +204,8 @@ describe('an entry', () => {
     expect(sentenceOf(['option', { option: 'shear_limit' }, '30'])).toBe('Corners: from 30°');
     expect(sentenceOf(['option', { option: 'guide_mode' }, '2'])).toBe('Keeps the net: on it');
     expect(sentenceOf(['option', { option: 'guide_mode' }, 'x'])).toBe('Keeps the net: x');
+    for (const kind of ['shape', 'surface', 'method', 'behaviour'] as const)
+      expect(sentenceOf(['open', { [kind]: 'toString' }])).toBe('Open toString');
     expect(sentenceOf(['optionBack', { option: 'length_scale' }])).toBe('Edges: as made');
     expect(sentenceOf(['optionBack', { option: 'guide_mode' }])).toBe('Keeps the net: near it');
     expect(sentenceOf(['optionBack', { option: 'square_corners' }])).toBe('Quads: as they were');

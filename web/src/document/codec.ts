@@ -5,7 +5,7 @@
 import type { Mesh, RestLengths } from '../../../wasm/chebnet';
 import type { Ends } from '../fields/colour_map';
 import { areEnds, FIELD_NAMES, type FieldName, fieldOf } from '../fields/fields';
-import { readCoreName, readRecipe } from './core_name';
+import { readCoreName } from './core_name';
 import { axesToSlide, ENDINGS, LONGEST_FILE_NAME, LONGEST_NAME } from './document';
 import type {
   CameraPlace,
@@ -116,7 +116,7 @@ export function readNumbering(state: Untrusted): { numbering?: number } {
 }
 
 export function readNet(net: Untrusted): NetSource {
-  const recipe = net.at('recipe').maybe(readRecipe);
+  const recipe = net.at('recipe').maybe(readCoreName);
   if (recipe !== undefined) return { recipe };
   return { obj: net.at('obj').text(), ...readFileTraits(net) };
 }

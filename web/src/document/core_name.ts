@@ -8,7 +8,7 @@ export function readCoreName(text: Untrusted): string {
   return text.text(LONGEST);
 }
 
-/** Its shape may be called as its button says, too. */
+/** As people type it: its shape may be called as its button says, too. */
 export function readRecipe(text: Untrusted): string {
   const [shape = '', ...parameters] = readCoreName(text).split(':');
   const called = shape.trim().toLowerCase();

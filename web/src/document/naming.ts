@@ -65,11 +65,11 @@ function settingOf(term: Term) {
   return typeof term === 'string' ? undefined : SETTINGS.get(term.option ?? '');
 }
 
-/** In the present language. */
+/** In the present language. What every object inherits is in all tables, and names nothing of ours. */
 export function textOf(term: Term): string {
   if (typeof term === 'string') return term;
   return Object.entries(term)
-    .map(([kind, value]) => KINDS[kind as keyof typeof KINDS](value))
+    .map(([kind, value]) => (value in Object.prototype ? value : KINDS[kind as keyof typeof KINDS](value)))
     .join('');
 }
 
