@@ -23,7 +23,9 @@ export async function warmUp(core: Editors, pause: () => Promise<void>): Promise
   for (let edit = 1; edit <= EDITS; edit++) {
     editor.reach(vertex);
     editor.dragHandle(vertex, [target[0], target[1], target[2] - 0.1 * edit]);
-    while (editor.solve({ milliseconds: MILLISECONDS }).status === 'running') await pause();
+    // Also before edits that one slice is enough for: a hand that comes now is not to wait for several of them.
+    do await pause();
+    while (editor.solve({ milliseconds: MILLISECONDS }).status === 'running');
     editor.releaseHandles();
     editor.reset();
   }
