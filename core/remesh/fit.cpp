@@ -27,9 +27,11 @@ namespace {
 constexpr double k_limit_margin = 0.02;
 // An edge runs along a crease if the angle between them is less: a cosine.
 constexpr double k_along = 0.87;
-// Of TipTerm on closed surfaces, beside bending that weighs 1: with less there are tips, with more the folds stand in
-// rings about them.
+// Of TipTerm, beside bending that weighs 1: with less there are tips, with more the folds stand in rings about them.
 constexpr double k_tip_weight = 2;
+// Over a border, with fewer faces for each singular vertex: what is a tip is all that the net has of a bump, and
+// without it the net draws away from the surface.
+constexpr double k_fewest_about_tip = 25;
 // Exact: no length errs by more than this part.
 constexpr double k_exact_error = 1e-11;
 // Of all openings together: a mesh that takes more hardly ever becomes a net.
@@ -77,7 +79,12 @@ private:
         return Rods::straight;
     }
 
-    double tip_weight() const { return m_rods == Rods::as_laid ? k_tip_weight : 0; }
+    double tip_weight() const {
+        if (m_rods == Rods::as_laid) return k_tip_weight;
+        int singular = 0;
+        for (int v = 0; v < m_mesh.vertex_count(); ++v) singular += m_topology.is_singular(v);
+        return singular > 0 && m_mesh.face_count() >= k_fewest_about_tip * singular ? k_tip_weight : 0;
+    }
 
     /// On the surface, as far as that goes.
     void spread_edges() {

@@ -221,6 +221,13 @@ TEST_CASE("A net on a smooth closed body lies on it about singular vertices, too
     CHECK(sum / 8 > 250 * std::numbers::pi / 180);
 }
 
+TEST_CASE("Nor does a net with a border rise to a tip, on the top of a hill") {
+    const Surface hill(samples::graph(41, 2, [](double x, double y) { return 1.5 * std::exp(-x * x - y * y); }));
+    const Remesh made = remesh(std::make_shared<const Guide>(hill), of_cells(1500));
+    CHECK(made.singular.size() == 1);
+    CHECK(sharp_folds(made.net, made.net.rest_positions(), k_fold) == 0);
+}
+
 TEST_CASE("Directions on a sphere are turned so that edges of one length need few folds, whatever its triangles",
           "[large]") {
     const int around = GENERATE(12, 16, 20, 24);
