@@ -429,6 +429,21 @@ test.each([
   },
 );
 
+test.each([
+  [true, 'en'],
+  [true, 'zh-CN'],
+  [false, 'en'],
+])('the menu of files names keys only where there are some (touch: %s, %s)', async (isMobile, locale) => {
+  const options = isMobile ? { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile } : {};
+  const { page } = await arrive('', { ...options, locale });
+  await allSections(page);
+  await page.locator('[popovertarget="project-menu"]').click();
+  const text = await page.locator('#project-menu').innerText();
+  expect(text.includes('Ctrl')).toBe(!isMobile);
+  expect(text).not.toMatch(/[(（]\s*[)）]/);
+  await page.screenshot({ path: join(OUTPUT, `menu-keys-${isMobile}-${locale}.png`) });
+});
+
 test('at 400 % tools and legend stay above the line of the solver, and its buttons can be pressed', async () => {
   const { page, script } = await share({ viewport: { width: 320, height: 256 } });
   await script.settled();
