@@ -391,6 +391,32 @@ test.each([
 );
 
 test.each([
+  [800, 600, false],
+  [800, 600, true],
+  [960, 700, false],
+])('at %i by %i the tools of a selection cover no part of the net, and none is cut (touch: %s)', async (...size) => {
+  const [width, height, isMobile] = size;
+  const { page, script } = await arrive('', {
+    viewport: { width, height },
+    ...(isMobile && { hasTouch: true, isMobile }),
+  });
+  await allSections(page);
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const { x, y } = await script.screenPosition(vertex);
+  await (isMobile ? page.touchscreen.tap(x, y) : page.mouse.click(x, y));
+  await page.locator('.selection-bar').waitFor();
+  await drawn(page);
+  await page.screenshot({ path: join(OUTPUT, `selected-${width}-${isMobile}.png`) });
+  expect(await faults(page, '.selection-bar')).toEqual([]);
+  const bar = (await page.locator('.selection-bar').boundingBox())!;
+  const lowest = await page.evaluate(() =>
+    Math.max(...window.chebnet.handles().map((each) => window.chebnet.screenPosition(each.vertex).y)),
+  );
+  expect(lowest + 9).toBeLessThan(bar.y);
+  expect(bar.y + bar.height).toBeLessThan(height);
+});
+
+test.each([
   [360, 740],
   [375, 553],
   [740, 360],
