@@ -150,6 +150,39 @@ test.each([
   expect(covered).toEqual([]);
 });
 
+test('on a phone on its side neither message nor tools lie over the note, also where a handle is selected', async () => {
+  const { page, script } = await arrive('#experiment=one-edit', {
+    viewport: { width: 740, height: 360 },
+    hasTouch: true,
+  });
+  const note = noteOf(page);
+  await note.getByRole('button', { name: 'Solve' }).tap();
+  const message = page.locator('.stuck-notice .message');
+  await message.waitFor();
+  await script.settled();
+  // What to do is a line below the tools, not a column beside them.
+  const toDo = page.locator('.title > p').first();
+  const tools = (await page.locator('.toolbar:not(.selection-bar)').boundingBox())!;
+  await page.screenshot({ path: join(OUTPUT, 'experiment-side.png') });
+  const isClear = async () => {
+    await drawn(page);
+    const [box, over] = [(await note.boundingBox())!, (await message.boundingBox())!];
+    expect(over.y).toBeGreaterThanOrEqual(box.y + box.height);
+    expect(over.width).toBeGreaterThan(280);
+    expect(box.y).toBeGreaterThanOrEqual(tools.y + tools.height);
+  };
+  await isClear();
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const { x, y } = await script.screenPosition(vertex);
+  await page.touchscreen.tap(x, y);
+  await page.locator('.selection-bar:not([hidden])').waitFor({ state: 'attached' });
+  await page.screenshot({ path: join(OUTPUT, 'experiment-side-selected.png') });
+  await isClear();
+  await message.getByRole('button', { name: 'Dismiss' }).tap();
+  await expect.poll(async () => (await toDo.boundingBox())?.height ?? 0).toBeGreaterThan(0);
+  expect((await toDo.boundingBox())!.height).toBeLessThan(45);
+});
+
 test('a phone shows net and note without scrolling sideways', async () => {
   const { page } = await arrive('#experiment=competitors', PHONE);
   await noteOf(page).getByText('Figure 17').waitFor();

@@ -390,6 +390,86 @@ test.each([
   },
 );
 
+test.each([
+  [800, 600, false],
+  [800, 600, true],
+  [960, 700, false],
+])('at %i by %i the tools of a selection cover no part of the net, and none is cut (touch: %s)', async (...size) => {
+  const [width, height, isMobile] = size;
+  const { page, script } = await arrive('', {
+    viewport: { width, height },
+    ...(isMobile && { hasTouch: true, isMobile }),
+  });
+  await allSections(page);
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const { x, y } = await script.screenPosition(vertex);
+  await (isMobile ? page.touchscreen.tap(x, y) : page.mouse.click(x, y));
+  await page.locator('.selection-bar').waitFor();
+  await drawn(page);
+  await page.screenshot({ path: join(OUTPUT, `selected-${width}-${isMobile}.png`) });
+  expect(await faults(page, '.selection-bar')).toEqual([]);
+  const bar = (await page.locator('.selection-bar').boundingBox())!;
+  const lowest = await page.evaluate(() =>
+    Math.max(...window.chebnet.handles().map((each) => window.chebnet.screenPosition(each.vertex).y)),
+  );
+  expect(lowest + 9).toBeLessThan(bar.y);
+  expect(bar.y + bar.height).toBeLessThan(height);
+});
+
+test.each([
+  [360, 740],
+  [375, 553],
+  [740, 360],
+])(
+  'at %i by %i no message lies over a part of the net or over what can be done with a handle',
+  async (width, height) => {
+    const { page, script } = await share({ viewport: { width, height }, hasTouch: true, isMobile: true });
+    const isClear = async () => {
+      await drawn(page);
+      const net = await page.evaluate(() =>
+        Array.from({ length: window.chebnet.stats().vertices }, (_, v) => window.chebnet.screenPosition(v)),
+      );
+      const box = (await page.locator('.message').first().boundingBox())!;
+      const isIn = ({ x, y }: { x: number; y: number }) =>
+        x > box.x && x < box.x + box.width && y > box.y && y < box.y + box.height;
+      expect(net.filter(isIn)).toEqual([]);
+      expect(await overlaps(page, ['.message', '.selection-bar', '.toolbar:not(.selection-bar)'])).toEqual([]);
+    };
+    for (const recipe of ['dome', 'vase']) {
+      await script.open({ recipe });
+      await script.settled();
+      const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+      const { x, y } = await script.screenPosition(vertex);
+      await page.touchscreen.tap(x, y);
+      await page.getByRole('button', { name: 'Lock', exact: true }).tap();
+      await page.locator('#view canvas').focus();
+      await page.keyboard.press('ArrowUp');
+      await page.getByText('Locked handles stay.').waitFor();
+      await page.screenshot({ path: join(OUTPUT, `message-selected-${width}-${recipe}.png`) });
+      await isClear();
+    }
+    await pullTooFar({ page, script }, 60, -60);
+    await page.screenshot({ path: join(OUTPUT, `stuck-selected-${width}-${height}.png`) });
+    await isClear();
+    for (const part of ['.stuck-notice', '.selection-bar']) expect(await faults(page, part)).toEqual([]);
+  },
+);
+
+test.each([
+  [true, 'en'],
+  [true, 'zh-CN'],
+  [false, 'en'],
+])('the menu of files names keys only where there are some (touch: %s, %s)', async (isMobile, locale) => {
+  const options = isMobile ? { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile } : {};
+  const { page } = await arrive('', { ...options, locale });
+  await allSections(page);
+  await page.locator('[popovertarget="project-menu"]').click();
+  const text = await page.locator('#project-menu').innerText();
+  expect(text.includes('Ctrl')).toBe(!isMobile);
+  expect(text).not.toMatch(/[(（]\s*[)）]/);
+  await page.screenshot({ path: join(OUTPUT, `menu-keys-${isMobile}-${locale}.png`) });
+});
+
 test('at 400 % tools and legend stay above the line of the solver, and its buttons can be pressed', async () => {
   const { page, script } = await share({ viewport: { width: 320, height: 256 } });
   await script.settled();

@@ -1,5 +1,11 @@
 /** Keys of menus that are open, as menus have them elsewhere. They come after the first picture. */
+import { make } from './dom';
+
+/** Of a shortcut in what a line is for, in any language. */
+const SHORTCUT = /\s?[(（]Ctrl[^)）]*[)）]/;
+
 export function listenForMenus(): void {
+  document.querySelectorAll<HTMLElement>('.menu .plain span').forEach(setShortcutApart);
   // In the capture phase: before what else Escape ends.
   addEventListener('keydown', pressKey, { capture: true });
 }
@@ -45,4 +51,12 @@ function openFrom(target: Element, key: string): boolean {
 
 function buttonOf(menu: HTMLElement): HTMLElement | null {
   return document.querySelector<HTMLElement>(`[popovertarget="${menu.id}"]`);
+}
+
+/** So that it does not show where there are no keys, see late_sections.css. */
+function setShortcutApart(hint: HTMLElement): void {
+  const words = hint.textContent;
+  const [shortcut] = SHORTCUT.exec(words) ?? [];
+  if (shortcut !== undefined)
+    hint.replaceChildren(words.replace(shortcut, ''), make('span', { class: 'keys' }, shortcut));
 }
