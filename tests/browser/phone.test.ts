@@ -391,6 +391,35 @@ test.each([
 );
 
 test.each([
+  [1024, 768, 'en'],
+  [1024, 768, 'zh-CN'],
+  [768, 1024, 'en'],
+])('on a tablet of %i by %i the arrow at what is selected is clear of hint and tools (%s)', async (...size) => {
+  const [width, height, locale] = size;
+  const options = { viewport: { width, height }, hasTouch: true, isMobile: true, locale };
+  const { page, script } = await arrive('', options, { hints: true });
+  await allSections(page);
+  const hint = page.locator('.hint');
+  await hint.waitFor();
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const { x, y } = await script.screenPosition(vertex);
+  await page.touchscreen.tap(x, y);
+  await page.locator('.selection-bar').waitFor();
+  await drawn(page);
+  await page.screenshot({ path: join(OUTPUT, `arrow-${width}-${locale}.png`) });
+  const arrow = { left: x - 12, right: x + 12, top: y - 0.15 * height };
+  for (const each of [
+    hint.locator('span').first(),
+    hint.getByRole('button'),
+    page.locator('.toolbar:not(.selection-bar)'),
+  ]) {
+    const box = (await each.boundingBox())!;
+    const isClear = box.x + box.width < arrow.left || box.x > arrow.right || box.y + box.height < arrow.top;
+    expect(isClear, await each.innerText()).toBe(true);
+  }
+});
+
+test.each([
   [800, 600, false],
   [800, 600, true],
   [960, 700, false],
