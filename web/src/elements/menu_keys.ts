@@ -5,7 +5,7 @@ import { make } from './dom';
 const SHORTCUT = /\s?[(（]Ctrl[^)）]*[)）]/;
 
 export function listenForMenus(): void {
-  document.querySelectorAll<HTMLElement>('.menu .plain span').forEach(setShortcutApart);
+  document.querySelectorAll<HTMLElement>('.menu .plain > span').forEach(setShortcutApart);
   // In the capture phase: before what else Escape ends.
   addEventListener('keydown', pressKey, { capture: true });
 }
