@@ -482,43 +482,6 @@ test.each([
   }
 });
 
-test.each([
-  [1024, 768, 'en'],
-  [1024, 768, 'zh-CN'],
-  [360, 740, 'en'],
-])(
-  'at %i by %i lists and fields begin below each other, and all of them is read (%s)',
-  async (width, height, locale) => {
-    const options = { viewport: { width, height }, hasTouch: true, isMobile: true, locale };
-    const { page } = await arrive('', options);
-    await allSections(page);
-    if (width < 721) await page.getByRole('button', { name: 'Controls', exact: true }).tap();
-    await page.locator('button', { hasText: /^(On a surface…|曲面上…|在曲面上…)$/ }).tap();
-    await page.locator('dialog.drape .primary:not([disabled])').waitFor();
-    for (const kind of ['piece', 'whole']) {
-      await page.locator('.drape .settings .row select').nth(1).selectOption(kind);
-      await page.screenshot({ path: join(OUTPUT, `lists-${width}-${locale}-${kind}.png`) });
-      const boxes = await page
-        .locator('.drape .settings .row > :is(select, input[type=number])')
-        .evaluateAll((all) =>
-          all
-            .filter((each) => each.checkVisibility())
-            .map((each) =>
-              [each.getBoundingClientRect().left, each.getBoundingClientRect().right].map(Math.round).join(),
-            ),
-        );
-      expect(boxes.length).toBeGreaterThan(4);
-      expect(new Set(boxes).size).toBe(1);
-      const cut = await page
-        .locator('.drape .settings .row > span')
-        .evaluateAll((all) =>
-          all.filter((each) => each.scrollWidth > each.clientWidth + 1).map((each) => each.textContent),
-        );
-      expect(cut).toEqual([]);
-    }
-  },
-);
-
 test('in Chinese, too, names beside long results and phases of a net being made stand in one line', async () => {
   const { page } = await arrive('', { locale: 'zh-CN', viewport: { width: 1024, height: 768 } });
   /** Of a part, with such words in it or beside it. */
