@@ -75,9 +75,10 @@ export class Menu {
   /** Below the button, or above it where there is more room; always within the window. */
   #place(): void {
     const { left, top, bottom } = this.button.getBoundingClientRect();
-    const { offsetWidth, offsetHeight } = this.menu;
-    const below = bottom + GAP + offsetHeight < innerHeight;
-    this.menu.style.left = `${Math.max(GAP, Math.min(left, innerWidth - offsetWidth - GAP))}px`;
-    this.menu.style.top = `${below ? bottom + GAP : Math.max(GAP, top - GAP - offsetHeight)}px`;
+    // With parts of pixels, as Firefox has them.
+    const { width, height } = this.menu.getBoundingClientRect();
+    const below = bottom + GAP + height < innerHeight;
+    this.menu.style.left = `${Math.max(GAP, Math.min(left, innerWidth - Math.ceil(width) - GAP))}px`;
+    this.menu.style.top = `${below ? bottom + GAP : Math.max(GAP, top - GAP - height)}px`;
   }
 }
