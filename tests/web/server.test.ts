@@ -530,6 +530,64 @@ describe('by hand', () => {
     expect(said.at(-1)).toMatchObject({ type: 'exported', bytes: new TextEncoder().encode(solved.edgeTable()) });
   });
 
+  describe('is made ready for a hand', () => {
+    let solves: number;
+    function openWatched(from: string, change: Partial<Scene> = {}): Editor {
+      const watched = core.openRecipe(from);
+      const solve = watched.solve.bind(watched);
+      solves = 0;
+      watched.solve = (budget) => {
+        solves++;
+        return solve(budget);
+      };
+      server = new Server({ ...core, openRecipe: () => watched }, { post: (response) => said.push(response), ...host });
+      said = [];
+      ask({
+        type: 'open',
+        scene: { ...freshScene({ recipe: from }), method: 'equilibrium', settled: true, ...change },
+      });
+      run();
+      expect(said).toMatchObject([{ type: 'opened' }, { type: 'settled' }]);
+      said = [];
+      return watched;
+    }
+
+    test('and stays as it is, whether it is at rest or merely has its lengths', () => {
+      const pulled = core.openRecipe(recipe);
+      pulled.setHandles(
+        [...reference.suggestedHandles].map((vertex) => ({ vertex, target: at(reference.restPositions, vertex) })),
+      );
+      pulled.moveHandle(dragged, away);
+      while (pulled.solve().status === 'running');
+      const elsewhere: Partial<Scene> = {
+        positions: pulled.positions(),
+        handles: pulled.handles().map((handle) => ({ ...handle, anchor: false })),
+        options: { shear_weight: 5 },
+      };
+      for (const change of [{}, elsewhere]) {
+        const watched = openWatched(recipe, change);
+        const before = watched.state();
+        server.getReady();
+        expect(solves).toBe(1);
+        expect(said).toEqual([]);
+        expect(watched.state()).toEqual(before);
+        ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: home }] });
+        run();
+        expect(settled().frame.status).toBe('converged');
+      }
+    });
+
+    test('unless it is large, or being solved', () => {
+      openWatched('sheet:vertices=10500');
+      server.getReady();
+      expect(solves).toBe(0);
+      openWatched(recipe);
+      ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
+      server.getReady();
+      expect(solves).toBe(0);
+    });
+  });
+
   test('the table of edges has the forces of a net at rest, however it came there', () => {
     open({ method: 'equilibrium' });
     ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });

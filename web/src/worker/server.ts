@@ -23,6 +23,8 @@ const SLICE = 12;
 const SHARE = 32;
 /** The same if every edge has its length by then: what is left of the solve goes on in the frames that follow. */
 const EXACT_SHARE = SLICE;
+/** A larger net is made ready by its first edit: nobody is to wait for what may not come. */
+const MOST_VERTICES_MADE_READY = 10_000;
 /** Pairs of handles that go with a frame: of thousands of handles tens of thousands may be out of reach. */
 const MOST_PAIRS = 100;
 
@@ -92,6 +94,13 @@ export class Server {
 
   get isSolving(): boolean {
     return this.#solving;
+  }
+
+  /** Factors and whatever else the first edit needs, for an open net that is at rest: half of the time of its first move. */
+  getReady(): void {
+    const editor = this.#editor;
+    if (editor === null || this.#solving || this.#late !== null || this.#status !== 'converged') return;
+    if (editor.info.vertices <= MOST_VERTICES_MADE_READY) beginSolve(editor);
   }
 
   handle(request: Request): void {
@@ -322,12 +331,11 @@ export class Server {
     this.#post({ id, type: 'exported', bytes }, [bytes.buffer]);
   }
 
-  /** They are those of a solve, and a net that was brought back has had none. At rest it begins and ends with that. */
+  /** They are those of a solve, and a net that was brought back has had none. */
   #learnForces(): void {
     const editor = this.#net();
     if (editor.forces() !== null || this.#solving || this.#status !== 'converged') return;
-    const before = editor.state();
-    if (editor.solve({ iterations: 1 }).iterations > 0) editor.setState(before);
+    beginSolve(editor);
   }
 
   #mobility({ id, radius, origins }: Extract<Request, { type: 'mobility' }>): void {
@@ -530,6 +538,12 @@ export class Server {
   #refuse(id: number, error: unknown): void {
     this.#post({ id, type: 'error', code: codeOf(error, CRASHED), message: messageOf(error) });
   }
+}
+
+/** Begins a solve, which ends with that if the net is at rest. In any case the net stays. */
+function beginSolve(editor: Editor): void {
+  const before = editor.state();
+  if (editor.solve({ iterations: 1 }).iterations > 0) editor.setState(before);
 }
 
 function checkNumbering(editor: Editor, { numbering }: OpenScene): void {

@@ -10,7 +10,8 @@ import { warmUp } from './warm_up';
 import type { WholeCore } from './whole_core';
 import { messageOf } from '../failure';
 
-const WARM_UP_DELAY = 100;
+/** Milliseconds after a net is there, and shown: a hand is not there yet. */
+const READY_DELAY = 100;
 
 const queue: Request[] = [];
 let server: Server | null = null;
@@ -34,26 +35,37 @@ function soon(task: () => void): void {
 }
 
 self.onmessage = ({ data }: MessageEvent<Request>) => {
-  if (server) server.handle(data);
+  if (server) take(data, server);
   else queue.push(data);
 };
 
+function take(request: Request, by: Server): void {
+  by.handle(request);
+  if (request.type === 'open') setTimeout(() => unheard(() => by.getReady()), READY_DELAY);
+}
+
 function start(core: Editors): void {
   server = new Server(core, { post, soon, now: () => performance.now(), wholeCore });
-  for (const request of queue.splice(0)) server.handle(request);
-  // After the first net is shown; on most machines it is over before a user finds a handle.
-  setTimeout(() => warm(core), WARM_UP_DELAY);
+  for (const request of queue.splice(0)) take(request, server);
+  // On most machines it is over before a user finds a handle.
+  setTimeout(() => warm(core), READY_DELAY);
+}
+
+function warm(core: Editors): void {
+  unheard(() => warmUp(core, idle));
 }
 
 /** Nobody needs to hear that it failed: what is wrong with the solver the first edit says. */
-function warm(core: Editors): void {
-  warmUp(core, idle).catch(() => {});
+function unheard(task: () => void | Promise<void>): void {
+  Promise.resolve()
+    .then(task)
+    .catch(() => {});
 }
 
 /** Resolves after the messages that wait already, and no solve is under way. */
 async function idle(): Promise<void> {
   await new Promise<void>(soon);
-  while (server?.isSolving) await new Promise((next) => setTimeout(next, WARM_UP_DELAY));
+  while (server?.isSolving) await new Promise((next) => setTimeout(next, READY_DELAY));
 }
 
 async function wholeCore(): Promise<WholeCore> {
