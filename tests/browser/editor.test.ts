@@ -82,6 +82,19 @@ test('every shape has its picture, and a relaxed one can be dragged', async () =
   expect((await script.stats()).maxDeviation).toBeLessThan(1e-6);
 });
 
+test('sliders of a shape say which of them are angles', async () => {
+  const { page } = visit;
+  await allSections(page);
+  const unitOf = (name: string) =>
+    page
+      .locator('.parameters label', { hasText: name })
+      .locator('output')
+      .evaluate((each) => getComputedStyle(each, '::after').content);
+  expect([await unitOf('Reach'), await unitOf('Vertices')]).toEqual(['"°"', '""']);
+  await script.open({ recipe: 'tube' });
+  expect([await unitOf('Bend'), await unitOf('Aspect')]).toEqual(['"°"', '""']);
+});
+
 test('sections that could not be loaded come with the next net', async () => {
   const { page, script: own, complaints } = await open('licences.txt');
   let isCutOff = true;

@@ -253,6 +253,19 @@ test('what was wrong with a file goes as the next is taken, and what is said of 
   expect(await said.count()).toBe(0);
 });
 
+test('the cross of a message stands level with its first line', async () => {
+  await drop('empty.obj', '# nothing');
+  const message = visit.page.locator('.message.error');
+  await message.waitFor();
+  const [cross, line] = await message.evaluate((each) => {
+    const middle = ({ top, bottom }: DOMRect): number => (top + bottom) / 2;
+    const words = document.createRange();
+    words.selectNodeContents(each.querySelector('span')!);
+    return [each.querySelector('button')!.getBoundingClientRect(), words.getClientRects()[0]!].map(middle);
+  });
+  expect(Math.abs(cross! - line!)).toBeLessThan(3);
+});
+
 test('a file of 300 MB is refused before it is read, and so is a project', async () => {
   for (const name of ['scan.obj', 'scan.chebnet.json']) {
     await visit.page.evaluate((fileName) => {

@@ -610,6 +610,26 @@ test.each([
   },
 );
 
+test('on a phone the dialogs of a link and of projects are as wide as the room, and their buttons have one line', async () => {
+  const { page } = await arrive('', { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
+  const sideways = () =>
+    page.locator('dialog[open] .body').evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
+  await page.getByRole('button', { name: 'Share' }).click();
+  await page.locator('.qr svg').waitFor();
+  expect(await sideways()).toBe(0);
+  await page.keyboard.press('Escape');
+
+  await page.getByRole('button', { name: 'File', exact: true }).click();
+  await page.locator('#project-menu').getByText('My projects…').click();
+  const lines = await page.getByRole('button', { name: 'Keep it' }).evaluate((keep) => {
+    const words = document.createRange();
+    words.selectNodeContents(keep);
+    return words.getClientRects().length;
+  });
+  expect(lines).toBe(1);
+  expect(await sideways()).toBe(0);
+});
+
 test('on a phone a message takes the place of the legend, and leaves the handles free', async () => {
   const { page, script } = await arrive('#v2=AAAA', {
     viewport: { width: 360, height: 740 },

@@ -178,6 +178,8 @@ test('ends of colours set by hand come with the link, each field with its own; a
   await legendOf(page).getByText('Ends of the colours').click();
   const [low, high] = [page.getByLabel('Lower end'), page.getByLabel('Upper end')];
   expect([await low.inputValue(), await high.inputValue()]).toEqual(['1e-6', '2e-6']);
+  const unit = legendOf(page).locator('.ends .words');
+  expect(await unit.innerText()).toBe('dL of 0.1\u00a0% and 0.14\u00a0%');
 
   await low.fill('3e-6');
   await low.press('Enter');
@@ -202,6 +204,7 @@ test('ends of colours set by hand come with the link, each field with its own; a
   await page.getByText('Appearance', { exact: true }).click();
   await page.getByLabel('Colour by').selectOption('angle');
   expect(await ticks()).toEqual(['45°', '90°', '135°']);
+  expect(await unit.innerText()).toBe('In degrees');
   await page.getByLabel('Colour by').selectOption('deviation');
   expect(await ticks()).toEqual(['dL 1e-30', 'dL 1e-25']);
   await page.getByRole('button', { name: 'Automatic' }).click();

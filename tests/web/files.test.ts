@@ -434,7 +434,7 @@ describe('a file', () => {
 
   test.each([
     ['a bad line', 'v 0 0 zero\n', 'bad_syntax', /^net\.obj:1: /],
-    ['only points', 'v 0 0 0\nv 1 0 0\n', 'no_faces', /^net\.obj: /],
+    ['only points', 'v 0 0 0\nv 1 0 0\n', 'no_faces', /^net\.obj: the net has no faces\. .* save it as a mesh/],
     ['a face beyond the vertices', `${SQUARES}f 1 2 77\n`, 'index_out_of_range', /^net\.obj:9: /],
     [
       'a drawing in it',

@@ -80,8 +80,11 @@ export class FileReading {
   }
 }
 
+/** What is wrong with the file, and what helps. */
 function sentenceOf({ code, message }: { code: string; message: string }): string {
-  return dialogWords.file.unread(code) ?? words.core.failure(code, message);
+  const { unread, wayOut } = dialogWords.file;
+  const { failure, sentence, sentences } = words.core;
+  return sentences([sentence(unread(code) ?? failure(code, message)), wayOut(code)]);
 }
 
 function unexpected({ type }: FileResponse): Failure {

@@ -1,9 +1,10 @@
 /** Fields for the ends of the colour map, and a button back to the automatic ones: what the legend unfolds. */
 import { type ChebnetDocument, lookOf } from '../document/document';
-import { make, makeButton, setValue } from '../elements/dom';
+import { make, makeButton, setText, setValue } from '../elements/dom';
 import { takeCommas, withPoint } from '../elements/number_input';
 import { type Ends, endText } from '../fields/colour_map';
-import { areEnds, endsOf, fieldOf, type ShownColouring, scaleOf } from '../fields/fields';
+import { areEnds, endsOf, type FieldName, fieldOf, type ShownColouring, scaleOf } from '../fields/fields';
+import { lengthError } from '../language/numbers';
 import { panelWords } from '../language/panels';
 import type { Panel, PanelEvents } from '../panels';
 import { readTheme } from '../view/theme';
@@ -11,15 +12,32 @@ import './map_ends.css';
 
 const TEXT = panelWords.legend;
 
+/** What the ends are measured in; those of other fields are numbers alone. */
+const UNITS: Partial<Record<FieldName, (ends: Ends) => string>> = {
+  deviation: ([low, high]) => TEXT.inDeviations(lengthError(low), lengthError(high)),
+  shear: () => TEXT.inDegrees,
+  fold: () => TEXT.inDegrees,
+  curvature: () => TEXT.inDegrees,
+  angle: () => TEXT.inDegrees,
+  height: () => TEXT.inEdges,
+};
+
 export class MapEnds implements Panel {
+  readonly #unit = make('p', { class: 'words', id: 'unit-of-ends' });
   readonly #inputs = [TEXT.low, TEXT.high].map((label) => {
-    const input = make('input', { type: 'text', 'aria-label': label, title: label, autocomplete: 'off' });
+    const input = make('input', {
+      type: 'text',
+      'aria-label': label,
+      'aria-describedby': this.#unit.id,
+      title: label,
+      autocomplete: 'off',
+    });
     takeCommas(input);
     input.addEventListener('change', () => this.#read(input));
     return input;
   });
   readonly #automatic = makeButton(TEXT.automatic, () => this.#choose(undefined));
-  readonly element = make('div', { class: 'ends' }, ...this.#inputs, this.#automatic);
+  readonly element = make('div', { class: 'ends' }, this.#unit, ...this.#inputs, this.#automatic);
   #view: ShownColouring = { field: 'deviation', colourMap: 'paper' };
   readonly #setView: PanelEvents['setView'];
 
@@ -32,6 +50,7 @@ export class MapEnds implements Panel {
     if (fieldOf(this.#view.field).ends === undefined) return;
     const { low, high } = scaleOf(this.#view, readTheme(globalThis.document.documentElement));
     this.#automatic.setAttribute('aria-pressed', String(endsOf(this.#view) === undefined));
+    setText(this.#unit, UNITS[this.#view.field]?.([low, high]) ?? '');
     this.#inputs.forEach((input, i) => {
       setValue(input, endText([low, high][i]!));
       input.setCustomValidity('');

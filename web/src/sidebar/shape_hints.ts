@@ -8,8 +8,12 @@ import { count } from '../language/numbers';
 import { panelWords } from '../language/panels';
 import type { Tables } from '../net/tables';
 import type { Panel } from '../panels';
+import './shape_hints.css';
 
 const words = panelWords.shape;
+
+/** What parameters are measured in; others are numbers alone. */
+const UNITS: Record<string, string> = { reach: '°', slope: '°', bend: '°' };
 
 export class ShapeHints implements Panel {
   #shapes: Tables['shapes'] = [];
@@ -30,8 +34,11 @@ export class ShapeHints implements Panel {
     setText(this.#ofSize, isTooLargeToRest(document) ? words.keepsLengths(count(MOST_VERTICES_AT_REST)) : '');
     const name = 'recipe' in net ? net.recipe.split(':')[0] : null;
     const shape = this.#shapes.find((each) => each.name === name);
-    for (const parameter of shape?.parameters ?? [])
-      this.#explain(`[data-parameter=${parameter.name}]`, words.aboutParameter(shape!.name, parameter));
+    for (const parameter of shape?.parameters ?? []) {
+      const slider = `[data-parameter=${parameter.name}]`;
+      this.#explain(slider, words.aboutParameter(shape!.name, parameter));
+      this.element.querySelector(`${slider}+output`)?.setAttribute('data-unit', UNITS[parameter.name] ?? '');
+    }
   }
 
   #explain(control: string, sentence: string): void {

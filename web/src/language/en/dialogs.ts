@@ -2,6 +2,11 @@
 import type { Defect, Finding } from '../../../../wasm/chebnet';
 import { readable } from './readable';
 
+/** By the codes of failures. */
+const WAYS_OUT: Record<string, string> = {
+  no_faces: 'Points and lines alone make no net: save it as a mesh where it was made.',
+};
+
 export const dialogs = {
   projects: {
     title: 'My projects',
@@ -79,6 +84,8 @@ export const dialogs = {
     notStarted: 'The file reader could not be started.',
     /** In place of what the file reader says with this code. */
     unread: (_code: string): string | undefined => undefined,
+    /** What helps against a failure with this code, in a sentence; empty: nothing is known. */
+    wayOut: (code: string) => WAYS_OUT[code] ?? '',
     kind: 'What is it?',
     net: { text: 'A net', hint: 'It is opened and edited as it is.' },
     surface: { text: 'A surface to make a net on', notOne: (reason: string) => `It cannot be one: ${reason}.` },

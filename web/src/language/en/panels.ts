@@ -246,6 +246,10 @@ export const panels = {
     low: 'Lower end',
     high: 'Upper end',
     automatic: 'Automatic',
+    /** What the numbers of the ends are; deviations are told as errors of a length, too. */
+    inDeviations: (low: string, high: string) => `dL of ${low} and ${high}`,
+    inDegrees: 'In degrees',
+    inEdges: 'In edge lengths',
     badEnds: (isLogarithmic: boolean) => `Two numbers${isLogarithmic ? ' above 0' : ''}, the lower one first.`,
   },
   drag: {

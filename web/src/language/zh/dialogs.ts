@@ -22,6 +22,10 @@ const UNREAD: Record<string, string> = {
   no_mesh: '此文件中没有网格。在 Rhino 中可用“Mesh”命令把曲面变为网格。',
 };
 
+const WAYS_OUT: Record<string, string> = {
+  no_faces: '仅有点和线不能构成网：请在制作它的程序中另存为网格。',
+};
+
 export const dialogs: Widened<typeof en> = {
   projects: {
     title: '我的项目',
@@ -97,6 +101,7 @@ export const dialogs: Widened<typeof en> = {
     tooLarge: (name, megabytes, largest) => `${name} 有 ${megabytes} MB；最多可打开 ${largest} MB 的网。`,
     notStarted: '无法启动文件读取程序。',
     unread: (code) => UNREAD[code],
+    wayOut: (code) => WAYS_OUT[code] ?? '',
     kind: '这是什么？',
     net: { text: '一张网', hint: '按原样打开并编辑。' },
     surface: { text: '一个曲面，在其上生成网', notOne: (reason) => `不能作为曲面：${reason}。` },

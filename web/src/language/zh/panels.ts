@@ -444,6 +444,9 @@ export const panels: Widened<typeof en> = {
     low: '下端',
     high: '上端',
     automatic: '自动',
+    inDeviations: (low, high) => `dL，即 ${low}、${high}`,
+    inDegrees: '单位：度',
+    inEdges: '单位：边长',
     badEnds: (isLogarithmic) => `请输入两个${isLogarithmic ? '大于 0 的' : ''}数，小的在前。`,
   },
   drag: {
