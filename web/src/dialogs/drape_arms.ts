@@ -5,6 +5,7 @@ import { DrawnLine } from '../drape/drawn_line';
 import { make, makeButton, makeSelect, setText } from '../elements/dom';
 import { setHidden } from '../elements/leave';
 import { dialogWords } from '../language/dialogs';
+import { sayInSight } from './say_in_sight';
 
 const TEXT = dialogWords.drape.arms;
 /** The usual one first. */
@@ -144,6 +145,7 @@ export class DrapeArms {
     this.#draw.setAttribute('aria-pressed', String(drawing));
     this.#events.drawingChanged(drawing);
     this.#show();
+    if (drawing) sayInSight(this.#words, this.#hint());
   }
 
   #show(): void {

@@ -6,6 +6,7 @@ import { make, makeButton, setText } from '../elements/dom';
 import { setHidden } from '../elements/leave';
 import { dialogWords } from '../language/dialogs';
 import { small } from '../language/numbers';
+import { sayInSight } from './say_in_sight';
 
 const TEXT = dialogWords.drape.markedCreases;
 /** Points of a closed curve. */
@@ -128,8 +129,9 @@ export class DrapeCreases {
     if (!drawing) this.end();
     this.#isDrawing = drawing;
     this.#draw.setAttribute('aria-pressed', String(drawing));
-    this.#say(drawing ? TEXT.howTo : this.#creases.length > 0 ? TEXT.next : '');
     this.#events.drawingChanged(drawing);
+    if (drawing) sayInSight(this.#words, TEXT.howTo);
+    else this.#say(this.#creases.length > 0 ? TEXT.next : '');
   }
 
   #put(creases: readonly Cut[]): void {

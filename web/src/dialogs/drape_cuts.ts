@@ -6,6 +6,7 @@ import { make, makeButton, setText } from '../elements/dom';
 import { setDisabled, setHidden } from '../elements/leave';
 import { dialogWords } from '../language/dialogs';
 import { percentWords } from './file_words';
+import { sayInSight } from './say_in_sight';
 
 const TEXT = dialogWords.drape.cuts;
 
@@ -139,9 +140,9 @@ export class DrapeCuts {
     if (!cutting) this.end();
     this.#isCutting = cutting;
     this.#draw.setAttribute('aria-pressed', String(cutting));
-    setText(this.#words, cutting ? TEXT.howTo : '');
     this.#events.cuttingChanged(cutting);
     this.#show();
+    sayInSight(this.#words, cutting ? TEXT.howTo : '');
   }
 
   get #lastPoint(): Point | undefined {
@@ -162,7 +163,7 @@ export class DrapeCuts {
   #wantProposals(): void {
     setDisabled(this.#propose, true, this.#draw);
     this.#proposed = this.#cuts;
-    setText(this.#words, TEXT.proposing);
+    sayInSight(this.#words, TEXT.proposing);
     this.#events.proposalsWanted();
   }
 

@@ -6,6 +6,7 @@ import type { ForbiddenDisc, SingularDot, SingularMarks } from '../drape/singula
 import { make, makeButton, makeSelect, makeSwitch, setText } from '../elements/dom';
 import { setDisabled, setHidden } from '../elements/leave';
 import { dialogWords } from '../language/dialogs';
+import { sayInSight } from './say_in_sight';
 
 const TEXT = dialogWords.drape.singularWishes;
 /** Of edges at one that can be wished for. */
@@ -291,9 +292,10 @@ export class DrapeSingular {
     this.#tool = tool;
     this.#add.setAttribute('aria-pressed', String(tool === 'add'));
     this.#forbid.setAttribute('aria-pressed', String(tool === 'forbid'));
-    this.#say(tool === 'none' ? TEXT.howTo : TEXT.click);
     this.#show();
     this.#events.pointingChanged(tool !== 'none');
+    if (tool === 'none') this.#say(TEXT.howTo);
+    else sayInSight(this.#words, TEXT.click);
   }
 
   #chooseInList(): void {
