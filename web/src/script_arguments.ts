@@ -1,10 +1,11 @@
 /** Arguments of the calls of `window.chebnet`, which may be anything, from a script or a host page. Each reader gives a value
  *  of its type or throws a Failure that says which argument must be what. */
 import type { Axes } from '../../wasm/chebnet';
-import { readCoreName, readRecipe } from './document/core_name';
+import { readCoreName } from './document/core_name';
 import { axesToSlide, type GuideSource, LONGEST_FILE_NAME, LONGEST_NAME, type Vec3 } from './document/document';
 import type { Untrusted } from './document/untrusted';
 import { Failure } from './failure';
+import { words } from './language/language';
 import { scriptWords } from './language/scripts';
 
 export type ScriptNet = { recipe: string } | { obj: string; name?: string };
@@ -48,6 +49,14 @@ export function readNet(net: Untrusted, longest = Infinity): ScriptNet {
   const obj = net.at('obj').maybe((each) => each.text(longest)) ?? net.fail(scriptWords.net);
   const name = net.at('name').maybe((each) => each.name(LONGEST_FILE_NAME));
   return name === undefined ? { obj } : { obj, name };
+}
+
+/** As people type it: its shape may be called as its button says, too. */
+function readRecipe(text: Untrusted): string {
+  const [shape = '', ...parameters] = readCoreName(text).split(':');
+  const called = shape.trim().toLowerCase();
+  const [name = called] = Object.entries(words.core.shapes()).find(([, title]) => title === called) ?? [];
+  return [name, ...parameters].join(':');
 }
 
 /** @param most handles in the list. */
