@@ -178,7 +178,7 @@ test('ends of colours set by hand come with the link, each field with its own; a
   await legendOf(page).getByText('Ends of the colours').click();
   const [low, high] = [page.getByLabel('Lower end'), page.getByLabel('Upper end')];
   expect([await low.inputValue(), await high.inputValue()]).toEqual(['1e-6', '2e-6']);
-  const unit = legendOf(page).locator('.ends .words');
+  const unit = legendOf(page).locator('.unit');
   expect(await unit.innerText()).toBe('dL of 0.1\u00a0% and 0.14\u00a0%');
 
   await low.fill('3e-6');

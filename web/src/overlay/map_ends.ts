@@ -23,7 +23,7 @@ const UNITS: Partial<Record<FieldName, (ends: Ends) => string>> = {
 };
 
 export class MapEnds implements Panel {
-  readonly #unit = make('p', { class: 'words', id: 'unit-of-ends' });
+  readonly #unit = make('p', { class: 'unit', id: 'unit-of-ends' });
   readonly #inputs = [TEXT.low, TEXT.high].map((label) => {
     const input = make('input', {
       type: 'text',
