@@ -96,11 +96,11 @@ export class Server {
     return this.#solving;
   }
 
-  /** Factors and whatever else the first edit needs, for an open net that is at rest: half of the time of its first move. */
+  /** Factors and whatever else the first edit needs, for a net at rest that has had none: half of the time of its first move. */
   getReady(): void {
     const editor = this.#editor;
-    if (editor === null || this.#solving || this.#late !== null || this.#status !== 'converged') return;
-    if (editor.info.vertices <= MOST_VERTICES_MADE_READY) beginSolve(editor);
+    if (editor === null || editor.info.vertices > MOST_VERTICES_MADE_READY || this.#late !== null) return;
+    if (this.#row === null && !this.#solving && this.#status === 'converged') beginSolve(editor);
   }
 
   handle(request: Request): void {
