@@ -11,6 +11,8 @@ const tests = (folder: string, timeout: number) => ({
     dir: `../tests/${folder}`,
     include: ['**/*.test.ts'],
     environment: 'node',
+    // What drives a browser keeps nothing between files, and takes seconds to import anew for each.
+    isolate: folder !== 'browser' && folder !== 'engines',
     testTimeout: timeout,
     hookTimeout: timeout,
     // What is waited for comes late on a machine that others use too.

@@ -101,7 +101,7 @@ TEST_CASE("remesh tells where a net that follows creases leaves much bare, and o
     CHECK(without.err.empty());
 }
 
-TEST_CASE("remesh tells where a net leaves much bare for other reasons, and of a way out that covers more") {
+TEST_CASE("remesh tells where a net leaves much bare for other reasons, and of a way out that covers more", "[large]") {
     const Sandbox box;
     write_grid(box, "rings.obj", 61, false, [](double u, double v) {
         const double x = 2 * u - 1, y = 2 * v - 1;

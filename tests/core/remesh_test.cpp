@@ -221,7 +221,7 @@ TEST_CASE("A net on a smooth closed body lies on it about singular vertices, too
     CHECK(sum / 8 > 250 * std::numbers::pi / 180);
 }
 
-TEST_CASE("Nor does a net with a border rise to a tip, on the top of a hill") {
+TEST_CASE("Nor does a net with a border rise to a tip, on the top of a hill", "[large]") {
     const Surface hill(samples::graph(41, 2, [](double x, double y) { return 1.5 * std::exp(-x * x - y * y); }));
     const Remesh made = remesh(std::make_shared<const Guide>(hill), of_cells(1500));
     CHECK(made.singular.size() == 1);
@@ -440,7 +440,7 @@ TEST_CASE("A net over a rough scan is folded no more than one over the shape wit
     CHECK(sharp_folds(rough, rough.rest_positions(), k_fold) <= smooth_folds + 8);
 }
 
-TEST_CASE("The teeth of a wheel are no noise: its net keeps its shape") {
+TEST_CASE("The teeth of a wheel are no noise: its net keeps its shape", "[large]") {
     const Mesh wheel = samples::implicit_surface(48, {-1.5, -1.5, -0.5}, {1.5, 1.5, 0.5}, [](const Eigen::Vector3d& p) {
         const double radius = p.head<2>().norm(), tooth = std::sin(7 * std::atan2(p.y(), p.x())) > 0 ? 0.25 : 0;
         return std::max({std::abs(p.z()) - 0.3, radius - 1.05 - tooth, 0.45 - radius});
@@ -1121,7 +1121,7 @@ TEST_CASE("A ring is neither sheared nor crumpled for what singular vertices do 
     }
 }
 
-TEST_CASE("A tube is not drawn out where its cells may shear: they stay as square as they can be") {
+TEST_CASE("A tube is not drawn out where its cells may shear: they stay as square as they can be", "[large]") {
     // Unrolled it is flat: squares fit all of it but its upper border, which is at a slant.
     const Surface tube(samples::quads(48, 33, true, false, [](int i, int j) {
         const double u = 2 * std::numbers::pi * i / 48;
