@@ -77,6 +77,23 @@ function kept({ page }: Visit): Promise<string[]> {
   });
 }
 
+/** Under which the browser keeps something. */
+function keys({ page }: Visit): Promise<string[]> {
+  return page.evaluate(
+    () =>
+      new Promise<string[]>((resolve, reject) => {
+        const opening = indexedDB.open('chebnet');
+        opening.onerror = () => reject(opening.error);
+        opening.onsuccess = () => {
+          const request = opening.result.transaction('projects').objectStore('projects').getAllKeys();
+          request.onsuccess = () => resolve(request.result.map(String));
+          request.onerror = () => reject(request.error);
+          opening.result.close();
+        };
+      }),
+  );
+}
+
 test('everything done is listed, undone, done again, kept over a reload, saved as a project and opened again', async () => {
   const visit = await arrive();
   const { page, script } = visit;
@@ -177,6 +194,8 @@ test('a turn of the camera writes the view alone, and is there after a reload, a
   await script.open({ recipe: 'vault:vertices=4000' });
   await script.settled();
   await expect.poll(() => kept(visit), PATIENCE).not.toEqual([]);
+  // Its picture in the list of projects comes after that.
+  await expect.poll(() => keys(visit), PATIENCE).toContainEqual(expect.stringMatching(/^look /));
   const turn = async (): Promise<string[]> => {
     const before = await script.screenPosition(0);
     const written = await page.evaluateHandle(() => {
