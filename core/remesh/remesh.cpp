@@ -38,6 +38,14 @@ bool has_creases(const Surface& surface, double angle) {
     return std::find(creases.begin(), creases.end(), true) != creases.end();
 }
 
+/// What is wished for may lie on one of them.
+WithoutLimbs without_limbs(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options) {
+    if (!options.singular.is_empty() || !options.marked_creases.empty()) return {guide};
+    const Surface& surface = guide->surface();
+    const double cell = std::sqrt(surface.area() / cells_asked_for(surface, options));
+    return without_thin_limbs(guide, cell, options.crease > 0 ? options.crease : k_sharp_edge);
+}
+
 /// What cannot be followed is not asked for: all that creases rule out is tried as without them.
 RemeshOptions without_absent_creases(const Surface& surface, RemeshOptions options) {
     if (options.crease > 0 && !has_creases(surface, options.crease)) options.crease = 0;
@@ -82,7 +90,8 @@ void check_remesh(const Guide& guide, const RemeshOptions& options) {
 Remesh remesh(const std::shared_ptr<const Guide>& guide, const RemeshOptions& asked, const RemeshProgress& progress) {
     check_remesh(*guide, asked);
     const Stopwatch watch;
-    const std::shared_ptr<const Guide> closed = without_small_holes(guide, asked);
+    const WithoutLimbs trimmed = without_limbs(without_small_holes(guide, asked), asked);
+    const std::shared_ptr<const Guide>& closed = trimmed.guide;
     const RemeshOptions options = without_absent_creases(closed->surface(), asked);
     const bool may_crease =
         asked.tries_creases && asked.crease == 0 && !asked.fewest && has_creases(closed->surface(), k_sharp_edge);
@@ -101,6 +110,7 @@ Remesh remesh(const std::shared_ptr<const Guide>& guide, const RemeshOptions& as
     made.net = Net(std::move(rows.positions), std::move(rows.faces), RestLengths::equal);
     made.singular = singular_vertices(made.net);
     made.sharp_quads = sharp_quads(made.net, made.net.rest_positions(), options.smallest_angle - k_limit_tolerance);
+    made.left_off = trimmed.limbs;
     return made;
 }
 
