@@ -163,10 +163,10 @@ void tell_left_off(const std::vector<ThinLimb>& limbs) {
         places += row_text(std::span(limbs[k].point.data(), 3), k_place_digits);
     }
     if (named < limbs.size()) places += " and elsewhere";
-    std::cerr << "chebnet: " << (limbs.size() == 1 ? "a limb" : std::to_string(limbs.size()) + " limbs")
-              << " thinner than " << number_text(k_thin_girth, 1) << " cells "
-              << (limbs.size() == 1 ? "is left off" : "are left off") << ", near " << places << ": more cells keep "
-              << (limbs.size() == 1 ? "it" : "them") << '\n';
+    const bool is_one = limbs.size() == 1;
+    std::cerr << "chebnet: " << (is_one ? "a limb is" : std::to_string(limbs.size()) + " limbs are")
+              << " too thin for cells of this size and left off, near " << places << ": more cells keep "
+              << (is_one ? "it" : "them") << '\n';
 }
 
 /// Net lines that follow creases or end in steps, singular vertices that were wished for, and details finer than cells

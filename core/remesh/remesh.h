@@ -97,8 +97,9 @@ struct Remesh {
 /// numbers of cells between singular vertices, the cells between its lines, and all edges brought to exactly one
 /// length, near the surface, with no corner sharper than the limit where such a net is found (see Remesh::sharp_quads).
 /// Topology, pieces and boundaries are those of the surface, but for holes no longer around than a cell, which are
-/// covered, for limbs around which fewer than three cells go, which are left off unless anything is wished for or
-/// creases are marked (see without_thin_limbs() and Remesh::left_off), and for gaps and slits that Border::fitting
+/// covered, for limbs too thin for cells of this size, which are left off where a net with them is not found or is
+/// crumpled and that without them lies better (see Remesh::left_off; not where anything is wished for, nor with marked
+/// creases), and for gaps and slits that Border::fitting
 /// leaves where a net over all of it would crumple. The same input gives the same net. What is wished of its singular
 /// vertices is not always kept, nor is each marked crease followed; of the nets that are tried the one that keeps most
 /// of it is given, with what it keeps. Of a rough surface, such as a noisy scan, the net follows what it is without

@@ -26,18 +26,19 @@ constexpr double k_limb_triangle = 0.5;
 // The triangles around a ball reach beyond it by about this, of their edges: so much sooner it goes around a limb.
 constexpr double k_ball_rim = 0.4;
 // What hangs on a limb and goes with it has no larger area, in cells, and no larger part of that of the largest piece.
-constexpr double k_most_hanging = 50, k_hanging_part = 0.1;
+constexpr double k_most_hanging = 400, k_hanging_part = 0.1;
 // A limb is no shorter, in cells: what is lower is a bump, and no hard one.
-constexpr double k_shortest_limb = 1.5;
+constexpr double k_shortest_limb = 1;
+// How finely girths are told apart, and from where on, in cells.
+constexpr double k_girth_step = 0.5, k_least_girth = 1;
 // Of the area. A surface that has more of them is thin as such.
 constexpr double k_most_lost = 1.0 / 3;
 
 /// Finds how balls around the vertices of a surface meet themselves.
 class Balls {
 public:
-    Balls(const Surface& surface, double radius)
+    explicit Balls(const Surface& surface)
         : m_surface(surface),
-          m_radius(radius),
           m_distance(static_cast<std::size_t>(surface.vertex_count())),
           m_reached(m_distance.size(), -1),
           m_settled(m_distance.size(), -1),
@@ -45,10 +46,12 @@ public:
           m_counted_faces(static_cast<std::size_t>(surface.face_count()), -1),
           m_counted_sides(3 * m_counted_faces.size(), -1) {}
 
-    /// Whether that around a vertex goes around a limb, or a handle: it is no disc, for it has a hole. False where it
-    /// meets the border.
-    bool goes_around(int vertex) {
+    /// Whether that of a radius around a vertex goes around a limb, or a handle: it is no disc, for it has a hole.
+    /// False where it meets the border.
+    bool goes_around(int vertex, double radius) {
+        m_radius = radius;
         m_centre = vertex;
+        ++m_number;
         spread();
         return characteristic() <= 0;
     }
@@ -61,18 +64,18 @@ private:
             const int v = m_waiting.top().second;
             m_waiting.pop();
             if (is_settled(v)) continue;
-            m_settled[v] = m_centre;
+            m_settled[v] = m_number;
             m_inside.push_back(v);
             for (const int side : m_surface.sides_around(v))
                 for (const int s : {side, Surface::next(side), Surface::previous(side)}) update(s);
         }
     }
 
-    bool is_settled(int vertex) const { return m_settled[vertex] == m_centre; }
+    bool is_settled(int vertex) const { return m_settled[vertex] == m_number; }
 
     void lower(int vertex, double distance) {
-        if (distance > m_radius || (m_reached[vertex] == m_centre && distance >= m_distance[vertex])) return;
-        m_reached[vertex] = m_centre;
+        if (distance > m_radius || (m_reached[vertex] == m_number && distance >= m_distance[vertex])) return;
+        m_reached[vertex] = m_number;
         m_distance[vertex] = distance;
         m_waiting.push({distance, vertex});
     }
@@ -95,23 +98,23 @@ private:
         for (const int v : m_inside)
             for (const int side : m_surface.sides_around(v)) {
                 const int f = Surface::face_of(side);
-                if (std::exchange(m_counted_faces[f], m_centre) == m_centre) continue;
+                if (std::exchange(m_counted_faces[f], m_number) == m_number) continue;
                 ++count;
                 for (int s = 3 * f; s < 3 * f + 3; ++s) {
                     if (m_surface.opposite(s) < 0) return 1;
-                    if (std::exchange(m_counted_sides[std::min(s, m_surface.opposite(s))], m_centre) != m_centre)
+                    if (std::exchange(m_counted_sides[std::min(s, m_surface.opposite(s))], m_number) != m_number)
                         --count;
-                    if (std::exchange(m_counted[m_surface.from(s)], m_centre) != m_centre) ++count;
+                    if (std::exchange(m_counted[m_surface.from(s)], m_number) != m_number) ++count;
                 }
             }
         return count;
     }
 
     const Surface& m_surface;
-    double m_radius;
-    int m_centre = -1;
+    double m_radius = 0;
+    int m_centre = -1, m_number = -1;  // of the ball
     std::vector<double> m_distance;
-    // Of each, the last centre for which it was.
+    // Of each, the number of the last ball for which it was.
     std::vector<int> m_reached, m_settled, m_counted, m_counted_faces, m_counted_sides;
     std::vector<int> m_inside;
     using Entry = std::pair<double, int>;  // distance, vertex
@@ -121,7 +124,7 @@ private:
 /// Which triangles of a surface are of limbs.
 class Limbs {
 public:
-    Limbs(const Surface& surface, double cell) : m_surface(surface), m_cell(cell) {
+    Limbs(const Surface& surface, double cell, double girth) : m_surface(surface), m_cell(cell), m_girth(girth) {
         mark_thin();
         if (is_any()) complete();
         if (is_any()) keep_what_has_to_stay();
@@ -139,8 +142,7 @@ public:
         std::vector<ThinLimb> limbs;
         const Pieces regions = pieces(true);
         const std::vector<Measured> measured = measure(regions);
-        for (const Measured& limb : measured)
-            limbs.push_back({m_surface.positions().col(limb.farthest), limb.area / limb.depth / m_cell});
+        for (const Measured& limb : measured) limbs.push_back({m_surface.positions().col(limb.farthest), limb.girth()});
         return limbs;
     }
 
@@ -180,16 +182,27 @@ private:
         int count = 0;
     };
     struct Measured {
-        double area = 0, depth = 0;
+        double depth = 0;
         int farthest = -1;
+        double girths = 0;  // the sum
+        int thin = 0;       // so many
+        double girth() const { return girths / std::max(thin, 1); }
     };
 
     void mark_thin() {
-        Balls balls(m_surface, (k_thin_girth / 2 - k_ball_rim * k_limb_triangle) * m_cell);
+        Balls balls(m_surface);
         m_gone.assign(static_cast<std::size_t>(m_surface.face_count()), false);
-        for (int v = 0; v < m_surface.vertex_count(); ++v)
-            if (balls.goes_around(v))
-                for (const int s : m_surface.sides_around(v)) m_gone[Surface::face_of(s)] = true;
+        m_girths.assign(static_cast<std::size_t>(m_surface.vertex_count()), 0);
+        const auto is_thinner = [&](int vertex, double girth) {
+            return balls.goes_around(vertex, (girth / 2 - k_ball_rim * k_limb_triangle) * m_cell);
+        };
+        for (int v = 0; v < m_surface.vertex_count(); ++v) {
+            if (!is_thinner(v, m_girth)) continue;
+            m_girths[v] = m_girth;
+            while (m_girths[v] > k_least_girth && is_thinner(v, m_girths[v] - k_girth_step))
+                m_girths[v] -= k_girth_step;
+            for (const int s : m_surface.sides_around(v)) m_gone[Surface::face_of(s)] = true;
+        }
     }
 
     /// With the ends of limbs, and so that what is left is a surface. Nothing comes back, so that this ends.
@@ -385,26 +398,29 @@ private:
         for (int f = 0; f < m_surface.face_count(); ++f) {
             if (regions.of_face[f] < 0) continue;
             Measured& region = result[regions.of_face[f]];
-            region.area += m_surface.areas()[f];
-            for (const int v : m_surface.triangles().col(f))
+            for (const int v : m_surface.triangles().col(f)) {
+                region.girths += m_girths[v];
+                region.thin += m_girths[v] > 0 ? 1 : 0;
                 if (std::isfinite(depths[v]) && depths[v] > region.depth) region.depth = depths[v], region.farthest = v;
+            }
         }
         return result;
     }
 
     const Surface& m_surface;
-    double m_cell;
-    std::vector<bool> m_gone;
+    double m_cell, m_girth;
+    std::vector<bool> m_gone;      // of each triangle
+    std::vector<double> m_girths;  // of each vertex, in cells; 0: around it nothing is thin
 };
 
 }  // namespace
 
-WithoutLimbs without_thin_limbs(const std::shared_ptr<const Guide>& guide, double cell, double crease) {
+WithoutLimbs without_thin_limbs(const std::shared_ptr<const Guide>& guide, double cell, double girth, double crease) {
     try {
         const Surface even = even_triangles(guide->surface(), guide->tree(), k_limb_triangle * cell,
                                             creases_of(guide->surface(), crease))
                                  .surface;
-        const Limbs limbs(even, cell);
+        const Limbs limbs(even, cell, girth);
         if (!limbs.is_any() || limbs.lost_area() > k_most_lost * even.area()) return {guide};
         std::optional<Surface> rest = limbs.rest();
         if (rest) return {std::make_shared<const Guide>(*std::move(rest)), limbs.list()};
