@@ -82,34 +82,34 @@ public:
     Remesh run() {
         attempt({m_guide});
         const bool is_free = m_options.singular.is_empty() && m_options.marked_creases.empty();
-        if (is_free && m_folds > k_many_limb_folds) {
-            attempt_without(k_thin_girth);
-            if (!m_made) attempt_without(k_wide_girth);
-        }
+        if (is_free && m_folds > k_many_limb_folds && !attempt_without(k_thin_girth)) attempt_without(k_wide_girth);
         if (!m_made) std::rethrow_exception(m_failure);
         return *std::move(m_made);
     }
 
 private:
-    void attempt_without(double girth) {
+    /// Whether a net was made.
+    bool attempt_without(double girth) {
         const Surface& surface = m_guide->surface();
         const double cell = std::sqrt(surface.area() / cells_asked_for(surface, m_options));
         const double crease = m_options.crease > 0 ? m_options.crease : k_sharp_edge;
         const WithoutLimbs trimmed = without_thin_limbs(m_guide, cell, girth, crease);
-        if (!trimmed.limbs.empty()) attempt(trimmed);
+        return !trimmed.limbs.empty() && attempt(trimmed);
     }
 
-    void attempt(const WithoutLimbs& trimmed) {
+    bool attempt(const WithoutLimbs& trimmed) {
         try {
             Remesh made = remesh_closed(trimmed.guide, m_options, m_progress);
             const int folds = crumpled_edges(*m_guide, made.net);
-            if (m_made && folds > k_clearly_fewer * m_folds) return;
+            if (m_made && folds > k_clearly_fewer * m_folds) return true;
             made.left_off = trimmed.limbs;
             m_made = std::move(made);
             m_folds = folds;
+            return true;
         } catch (const Error& error) {
             if (error.code() != ErrorCode::bad_option && error.code() != ErrorCode::too_large) throw;
             if (!m_failure) m_failure = std::current_exception();
+            return false;
         }
     }
 
