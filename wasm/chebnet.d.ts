@@ -760,6 +760,14 @@ export interface KeptWishes {
 /** What is done, in this order; `border` only where the surface has one, and no way is asked for in which the net ends there. */
 export type RemeshPhase = 'border' | 'triangles' | 'singular' | 'field' | 'grid' | 'fit';
 
+/** Part of a surface around which too few cells go for a net. */
+export interface ThinLimb {
+  /** On it, farthest from what is left. */
+  point: Point;
+  /** Around it where it is thin, on average, in cells. */
+  girth: number;
+}
+
 /** A net over a whole surface, near it, each edge of one length. */
 export interface Remesh {
   mesh: Mesh;
@@ -770,6 +778,8 @@ export interface Remesh {
   kept: KeptWishes;
   /** With a corner sharper than the limit: above 0 where no net was found that keeps it everywhere. */
   sharpQuads: number;
+  /** Of the surface: a net with these limbs was not found, or was more crumpled. */
+  leftOff: ThinLimb[];
   milliseconds: Record<RemeshPhase, number>;
 }
 

@@ -196,6 +196,15 @@ SingularWishes wishes_in(const val& options) {
     return wishes;
 }
 
+val left_off_out(const std::vector<ThinLimb>& limbs) {
+    return list_out(limbs, [](const ThinLimb& limb) {
+        val row = val::object();
+        row.set("point", vector_out(limb.point));
+        row.set("girth", limb.girth);
+        return row;
+    });
+}
+
 val singular_out(const std::vector<SingularVertex>& vertices) {
     return list_out(vertices, [](const SingularVertex& singular) {
         val row = val::object();
@@ -250,6 +259,7 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
     object.set("singular", singular_out(made.singular));
     object.set("kept", kept_out(wanted.singular, made.kept));
     object.set("sharpQuads", made.sharp_quads);
+    object.set("leftOff", left_off_out(made.left_off));
     object.set("milliseconds", milliseconds);
     return object;
 }

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,6 +33,8 @@ const std::map<std::string, RemeshOptions::Border> k_borders = option_words(k_re
 
 // Of a surface, what is as good as all of it.
 constexpr double k_covered = 0.98;
+constexpr std::size_t k_most_places = 4;  // that a sentence names
+constexpr int k_place_digits = 3;         // of their coordinates
 
 struct RemeshArguments {
     SurfaceArgument surface;
@@ -104,6 +107,13 @@ Json wishes_report(const SingularWishes& wishes, const KeptWishes& kept) {
             {"not_kept", unkept}};
 }
 
+Json left_off_report(const std::vector<ThinLimb>& limbs) {
+    Json list = Json::array();
+    for (const ThinLimb& limb : limbs)
+        list.push_back({{"point", point_json(limb.point)}, {"girth_in_cells", limb.girth}});
+    return list;
+}
+
 Json remesh_report(const Remesh& made, const DrapeReport& measured, const SingularWishes& wishes) {
     Json report = net_on_surface_report(made.net, measured);
     Json by_valence = Json::object(), list = Json::array();
@@ -117,6 +127,7 @@ Json remesh_report(const Remesh& made, const DrapeReport& measured, const Singul
     report["singular_vertices"] = made.singular.size();
     report["singular_vertices_by_valence"] = by_valence;
     report["singular"] = list;
+    report["left_off"] = left_off_report(made.left_off);
     if (!wishes.is_empty() || !made.kept.creases.empty()) report["wishes"] = wishes_report(wishes, made.kept);
     return report;
 }
@@ -140,6 +151,22 @@ std::string fuller_way(const RemeshOptions& options, int gaps) {
     if (options.border != RemeshOptions::Border::fitting) return "--border fitting often covers more";
     return gaps > 0 ? "it has gaps where it would crumple: more cells, or chebnet drape --leave, may cover more"
                     : "where that is finely shaped more cells cover more, where it is rough fewer";
+}
+
+/// Where the limbs are that the net lies without.
+void tell_left_off(const std::vector<ThinLimb>& limbs) {
+    if (limbs.empty()) return;
+    std::string places;
+    const std::size_t named = std::min(limbs.size(), k_most_places);
+    for (std::size_t k = 0; k < named; ++k) {
+        if (k > 0) places += k + 1 == limbs.size() ? " and " : ", ";
+        places += row_text(std::span(limbs[k].point.data(), 3), k_place_digits);
+    }
+    if (named < limbs.size()) places += " and elsewhere";
+    const bool is_one = limbs.size() == 1;
+    std::cerr << "chebnet: " << (is_one ? "a limb is" : std::to_string(limbs.size()) + " limbs are")
+              << " too thin for cells of this size and left off, near " << places << ": more cells keep "
+              << (is_one ? "it" : "them") << '\n';
 }
 
 /// Net lines that follow creases or end in steps, singular vertices that were wished for, and details finer than cells
@@ -180,6 +207,7 @@ int run_remesh(const RemeshArguments& arguments) {
            {"described", surface_report(describe(guide))},
            {"net", remesh_report(made, measured, options.singular)},
            {"milliseconds", milliseconds}});
+    tell_left_off(made.left_off);
     if (made.sharp_quads > 0) tell_sharp_quads(made.sharp_quads, options.smallest_angle);
     tell_crumpled(crumpled_edges(*guide, made.net), "the surface does", smoother_way(options));
     tell_bare(measured, options);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "surface/surface.h"
 
@@ -10,5 +11,8 @@ namespace chebnet {
 /// numbers behind its own. The border around a piece that is hardly larger than what it encloses is none of a hole.
 /// Nothing if the surface has no holes, or if that gives no surface, as where a hole touches itself.
 std::optional<Surface> without_pinholes(const Surface& surface, double longest);
+
+/// The same for holes with these borders, each one of the surface's boundary_loops().
+std::optional<Surface> closed_at(const Surface& surface, const std::vector<std::vector<int>>& loops);
 
 }  // namespace chebnet

@@ -10,6 +10,7 @@
 #include "net/net.h"
 #include "remesh/marked_creases.h"
 #include "remesh/singular_wishes.h"
+#include "remesh/thin_limbs.h"
 #include "surface/guide.h"
 
 namespace chebnet {
@@ -88,6 +89,7 @@ struct Remesh {
     KeptWishes kept;
     int sharp_quads = 0;  ///< with a corner sharper than the limit: no net was found that keeps it everywhere
     std::array<double, k_remesh_phases> milliseconds{};
+    std::vector<ThinLimb> left_off = {};  ///< of the surface: the net covers it without them
 };
 
 /// A net of quads over a whole surface, of any genus and with any number of pieces and boundaries, with singular
@@ -95,11 +97,13 @@ struct Remesh {
 /// numbers of cells between singular vertices, the cells between its lines, and all edges brought to exactly one
 /// length, near the surface, with no corner sharper than the limit where such a net is found (see Remesh::sharp_quads).
 /// Topology, pieces and boundaries are those of the surface, but for holes no longer around than a cell, which are
-/// covered, and for gaps and slits that Border::fitting leaves where a net over all of it would crumple. The same input
-/// gives the same net. What is wished of its singular vertices is not always kept, nor is each marked crease followed;
-/// of the nets that are tried the one that keeps most of it is given, with what it keeps. Of a rough surface, such as a
-/// noisy scan, the net follows what it is without what is smaller than its cells (smoothed()), unless creases are
-/// followed.
+/// covered, for limbs too thin for cells of this size, which are left off where a net with them is not found or is
+/// crumpled and that without them lies better (see Remesh::left_off; not where anything is wished for, nor with marked
+/// creases), and for gaps and slits that Border::fitting
+/// leaves where a net over all of it would crumple. The same input gives the same net. What is wished of its singular
+/// vertices is not always kept, nor is each marked crease followed; of the nets that are tried the one that keeps most
+/// of it is given, with what it keeps. Of a rough surface, such as a noisy scan, the net follows what it is without
+/// what is smaller than its cells (smoothed()), unless creases are followed.
 ///
 /// Throws Error bad_option (numbers out of range; fewest together with wishes for vertices; wishes as check_wishes
 /// does; marked creases as cut_line and cut_open do; a surface that is too thin or too narrow somewhere for cells of

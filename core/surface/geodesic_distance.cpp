@@ -13,21 +13,6 @@ namespace {
 
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
-/// The distance at corner c of a triangle with the sides ab, bc, ca from a source in its plane on the other side of ab,
-/// which is at the distances da, db from a and b. If the straight way from there does not pass between a and b, the
-/// shorter way along an edge.
-double distance_across(double da, double db, double ab, double bc, double ca) {
-    const double along_edges = std::min(da + ca, db + bc);
-    // In a frame with a at the origin and b on the positive x axis.
-    const double source_x = (da * da - db * db + ab * ab) / (2 * ab), c_x = (ca * ca - bc * bc + ab * ab) / (2 * ab);
-    const double source_depth = std::sqrt(std::max(0.0, da * da - source_x * source_x));
-    const double c_height = std::sqrt(std::max(0.0, ca * ca - c_x * c_x));
-    if (source_depth + c_height == 0) return along_edges;
-    const double crossing = source_x + (c_x - source_x) * source_depth / (source_depth + c_height);
-    if (crossing < 0 || crossing > ab) return along_edges;
-    return std::min(along_edges, std::hypot(c_x - source_x, c_height + source_depth));
-}
-
 class March {
 public:
     explicit March(const Surface& surface)
@@ -96,6 +81,18 @@ private:
 };
 
 }  // namespace
+
+double distance_across(double da, double db, double ab, double bc, double ca) {
+    const double along_edges = std::min(da + ca, db + bc);
+    // In a frame with a at the origin and b on the positive x axis.
+    const double source_x = (da * da - db * db + ab * ab) / (2 * ab), c_x = (ca * ca - bc * bc + ab * ab) / (2 * ab);
+    const double source_depth = std::sqrt(std::max(0.0, da * da - source_x * source_x));
+    const double c_height = std::sqrt(std::max(0.0, ca * ca - c_x * c_x));
+    if (source_depth + c_height == 0) return along_edges;
+    const double crossing = source_x + (c_x - source_x) * source_depth / (source_depth + c_height);
+    if (crossing < 0 || crossing > ab) return along_edges;
+    return std::min(along_edges, std::hypot(c_x - source_x, c_height + source_depth));
+}
 
 std::vector<double> geodesic_distances(const Surface& surface, std::span<const SurfacePoint> sources, double most) {
     return March(surface).run(sources, most).distances;

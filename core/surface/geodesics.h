@@ -56,6 +56,11 @@ struct Geodesic {
 Geodesic trace_geodesic(const Surface& surface, const SurfacePoint& start, const Eigen::Vector3d& direction,
                         double length);
 
+/// The distance at corner c of a triangle with the sides ab, bc, ca from a source in its plane on the other side of ab,
+/// which is at the distances da, db from a and b. If the straight way from there does not pass between a and b, the
+/// shorter way along an edge.
+double distance_across(double da, double db, double ab, double bc, double ca);
+
 /// V, the distance over the surface to the nearest of the `sources`; infinity where that is more than `most`, or in
 /// components without one. By fast marching (Kimmel & Sethian 1998), where each triangle is unfolded with a source at
 /// which its two known corners have their distances (Novotni & Klein 2002). In a plane it misses less than a tenth of a

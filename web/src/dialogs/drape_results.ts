@@ -104,9 +104,14 @@ export class DrapeResults {
     this.#sayProspect(promised && report.coverage < COVERS ? TEXT.coversLess : '');
   }
 
-  #warningOf({ net, sharpQuads }: RemeshedNet, { coverage, crumpled }: DrapeReport): string {
+  #warningOf(made: RemeshedNet, report: DrapeReport): string {
+    const limbs = made.leftOff.length;
+    return [limbs > 0 ? TEXT.leftOff(limbs) : '', this.#flawOf(made, report)].filter((each) => each !== '').join(' ');
+  }
+
+  #flawOf({ net, sharpQuads, leftOff }: RemeshedNet, { coverage, crumpled }: DrapeReport): string {
     if (crumpled > FOLDED * 2 * net.info.faces) return TEXT.crumpled(count(crumpled), this.#againstFolds);
-    if (coverage < COVERS) return TEXT.leavesBare(percentWords(1 - coverage));
+    if (coverage < COVERS && leftOff.length === 0) return TEXT.leavesBare(percentWords(1 - coverage));
     return sharpQuads > 0 ? TEXT.sharp(count(sharpQuads)) : '';
   }
 

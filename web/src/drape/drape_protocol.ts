@@ -91,6 +91,8 @@ export interface RemeshedNet extends ShownNet {
   kept: KeptWishes;
   /** Cells with a corner sharper than the limit. */
   sharpQuads: number;
+  /** Limbs of the surface too thin for cells of this size. */
+  leftOff: Remesh['leftOff'];
 }
 
 interface SingularPlace extends SurfacePlace {

@@ -149,7 +149,7 @@ export class Draper {
   }
 
   #cover(surface: Surface, options: RemeshOptions): DrapeResponse {
-    const { mesh, singularVertices, singular, kept, sharpQuads, milliseconds } = surface.remesh(
+    const { mesh, singularVertices, singular, kept, sharpQuads, leftOff, milliseconds } = surface.remesh(
       options,
       (phase, done) => this.#post({ type: 'progress', phase, done }),
     );
@@ -159,6 +159,7 @@ export class Draper {
       singular: singular.map(({ position, valence }) => ({ ...surface.nearest(position), position, valence })),
       kept,
       sharpQuads,
+      leftOff,
       ...this.#shown(mesh, milliseconds),
     };
   }

@@ -185,6 +185,10 @@ export const dialogs = {
     numbers: 'The surface in numbers',
     coversLess: 'This one covers less: drag the seed, turn it, take a proposal, or choose “The whole surface”.',
     crumpled: (folds: string, instead: string) => `Sharp folds at ${folds} edges (over 60°): ${instead}`,
+    leftOff: (limbs: number) =>
+      limbs === 1
+        ? 'A limb too thin for cells of this size is left off: more cells keep it.'
+        : `${limbs} limbs too thin for cells of this size are left off: more cells keep them.`,
     sharp: (cells: string) => `No net was found whose corners all keep the limit. Cells with a sharper one: ${cells}.`,
     leavesBare: (part: string) =>
       `${part} of the surface is farther from the net than half an edge. Where it is rough, fewer cells cover more; where it is finely shaped, more.`,

@@ -191,6 +191,7 @@ export const dialogs: Widened<typeof en> = {
     numbers: '曲面数据',
     coversLess: '目前这张覆盖得较少：请拖动起点、转动方向、选用一个建议，或选择“覆盖整个曲面”。',
     crumpled: (folds, instead) => `有 ${folds} 条边的折痕超过 60°：${instead}`,
+    leftOff: (limbs) => `有 ${limbs} 处肢体对这样大的格子来说太细，未覆盖：格数多些即可保留。`,
     sharp: (cells) => `没有找到所有角都不小于下限的网：${cells} 个格子的角更尖。`,
     leavesBare: (part) => `曲面有 ${part} 距网超过半条边长。若曲面粗糙，格数少些覆盖更多；若形状细致，则宜多些。`,
     againstFolds: {
