@@ -79,10 +79,12 @@ inline constexpr int k_remesh_phases = 6;
 /// The name of the enumerator.
 const char* to_string(RemeshPhase phase);
 
-/// Is told which phase has come how far (0 … 1). Whoever wants an end throws.
+/// Is told which phase has come how far (0 … 1), once more from the first where limbs are left off. Whoever wants an
+/// end throws.
 using RemeshProgress = std::function<void(RemeshPhase phase, double done)>;
 
-/// A net on a whole surface, what its singular vertices are, and how long each phase took.
+/// A net on a whole surface, what its singular vertices are, and how long each phase took; of what was tried with limbs
+/// that are left off, nothing.
 struct Remesh {
     Net net;
     std::vector<SingularVertex> singular;
@@ -97,13 +99,12 @@ struct Remesh {
 /// numbers of cells between singular vertices, the cells between its lines, and all edges brought to exactly one
 /// length, near the surface, with no corner sharper than the limit where such a net is found (see Remesh::sharp_quads).
 /// Topology, pieces and boundaries are those of the surface, but for holes no longer around than a cell, which are
-/// covered, for limbs too thin for cells of this size, which are left off where a net with them is not found or is
-/// crumpled and that without them lies better (see Remesh::left_off; not where anything is wished for, nor with marked
-/// creases), and for gaps and slits that Border::fitting
-/// leaves where a net over all of it would crumple. The same input gives the same net. What is wished of its singular
-/// vertices is not always kept, nor is each marked crease followed; of the nets that are tried the one that keeps most
-/// of it is given, with what it keeps. Of a rough surface, such as a noisy scan, the net follows what it is without
-/// what is smaller than its cells (smoothed()), unless creases are followed.
+/// covered, and for gaps and slits that Border::fitting leaves where a net over all of it would crumple. Where no net
+/// is found, or a crumpled one, it is tried once more without limbs too thin for cells of this size, unless anything is
+/// wished for or creases are marked (see Remesh::left_off). The same input gives the same net. What is wished of its
+/// singular vertices is not always kept, nor is each marked crease followed; of the nets that are tried the one that
+/// keeps most of it is given, with what it keeps. Of a rough surface, such as a noisy scan, the net follows what it is
+/// without what is smaller than its cells (smoothed()), unless creases are followed.
 ///
 /// Throws Error bad_option (numbers out of range; fewest together with wishes for vertices; wishes as check_wishes
 /// does; marked creases as cut_line and cut_open do; a surface that is too thin or too narrow somewhere for cells of
