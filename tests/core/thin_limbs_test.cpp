@@ -41,11 +41,11 @@ Mesh ball_with_bars(double radius) {
 
 /// Two balls of these radii, and a bar between them.
 Mesh dumbbell(double other, double bar) {
-    return samples::implicit_surface(
-        60, Eigen::Vector3d(-1.4, -2.5, -2.5), Eigen::Vector3d(4.6, 2.5, 2.5), [&](const Eigen::Vector3d& p) {
-            return std::min(
-                {p.norm() - 1, (p - Eigen::Vector3d(3, 0, 0)).norm() - other, outside_bar(p, {3, 0, 0}, bar)});
-        });
+    return samples::implicit_surface(60, Eigen::Vector3d(-1.413, -2.517, -2.523), Eigen::Vector3d(4.631, 2.541, 2.529),
+                                     [&](const Eigen::Vector3d& p) {
+                                         return std::min({p.norm() - 1, (p - Eigen::Vector3d(3, 0, 0)).norm() - other,
+                                                          outside_bar(p, {3, 0, 0}, bar)});
+                                     });
 }
 
 std::shared_ptr<const Guide> guide_of(const Mesh& mesh) { return std::make_shared<const Guide>(Surface(mesh)); }
