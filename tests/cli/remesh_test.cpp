@@ -1,9 +1,12 @@
 // remesh.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <string>
 
+#include "../core/implicit_surface.h"
+#include "io/obj.h"
 #include "program.h"
 #include "samples.h"
 
@@ -128,6 +131,32 @@ TEST_CASE("remesh tells where a net leaves much bare for other reasons, and of a
         CHECK_THAT(less.err, Contains(" % of the surface; ") && Contains(way_out));
         CHECK(more.json().at("net").at("coverage") > 0.98);
     }
+}
+
+TEST_CASE("remesh tells of limbs that are left off, and where they are") {
+    const Sandbox box;
+    // A ball with two spikes.
+    const Mesh body = samples::implicit_surface(
+        50, Eigen::Vector3d::Constant(-2.3), Eigen::Vector3d::Constant(2.3), [](const Eigen::Vector3d& p) {
+            const auto outside_spike = [&](const Eigen::Vector3d& tip) {
+                return (p - std::clamp(p.dot(tip) / tip.squaredNorm(), 0.0, 1.0) * tip).norm() - 0.08;
+            };
+            return std::min({p.norm() - 1, outside_spike({2, 0, 0}), outside_spike({0, -1.9, 0.6})});
+        });
+    box.write("body.obj", write_obj(body.positions, body.faces));
+    const Run run = box.run("remesh body.obj --cells 400");
+    INFO(run.err);
+    CHECK(run.exit_code == 0);
+    CHECK_THAT(run.err, Contains("2 limbs are too thin for cells of this size and left off, near ") &&
+                            Contains(": more cells keep them"));
+    const json limbs = run.json().at("net").at("left_off");
+    REQUIRE(limbs.size() == 2);
+    for (const json& limb : limbs) {
+        const json& p = limb.at("point");
+        CHECK(std::hypot(p[0].get<double>(), p[1].get<double>(), p[2].get<double>()) > 1.8);
+        CHECK(limb.at("girth_in_cells") < 5);
+    }
+    CHECK(box.run("remesh --surface pebble --cells 300").json().at("net").at("left_off").empty());
 }
 
 TEST_CASE("remesh takes wishes for singular vertices, and reports which were kept") {
