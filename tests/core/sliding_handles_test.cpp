@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,22 @@ bool holds(const Editor& editor, const std::vector<Handle>& wanted) {
 
 double gradient(const Editor& editor) {
     return samples::first_order({editor.net(), editor.handles(), editor.options()}, editor.positions()).gradient;
+}
+
+/// The least max dL of samples::patch(columns, …) with these handles, by pairs of them that are farther apart, along
+/// axes on which none of the two slides, than the edges between them are long; 0 if none is.
+double least_deviation(std::span<const Handle> handles, int columns) {
+    double least = 0;
+    for (const Handle& a : handles)
+        for (const Handle& b : handles) {
+            const int way =
+                std::abs(a.vertex % columns - b.vertex % columns) + std::abs(a.vertex / columns - b.vertex / columns);
+            Eigen::Vector3d apart = a.target - b.target;
+            for (int k = 0; k < 3; ++k)
+                if (has_axis(a.slides, k) || has_axis(b.slides, k)) apart[k] = 0;
+            if (apart.norm() > way) least = std::max(least, deviation(apart.norm() / way));
+        }
+    return least;
 }
 
 /// How far apart the feet in the middle of opposite sides stand.
@@ -416,8 +433,11 @@ TEST_CASE("Whatever slides along whatever: lengths, held coordinates and first-o
             CHECK(report.max_deviation < editor.options().threshold);
             if (report.status != Status::converged) continue;
             ++converged;
-            CHECK(report.max_deviation < 1e-9);
-            CHECK(gradient(editor) < 2 * editor.options().rest_tolerance);
+            // Handles out of reach by less than the threshold tells pull a line taut, which no multiplier holds in
+            // place.
+            const double least = least_deviation(handles, 7);
+            CHECK(report.max_deviation < least + 1e-9);
+            if (least == 0) CHECK(gradient(editor) < 2 * editor.options().rest_tolerance);
         }
     }
     CHECK(converged > k_rounds);  // of three times as many
