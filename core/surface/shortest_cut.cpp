@@ -187,7 +187,9 @@ CutLine shortest_cut_between_borders(const Surface& surface) {
     std::vector<Loop> others = loops;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(pair->first));
     const Reached back = *nearest_on(surface, there.point, others);
-    return with_thirds(surface, there.point, back.way < there.way ? back.point : pair->on_second);
+    // Each in the direction in which it was measured: the other way round another path may be found, that is longer.
+    return back.way < there.way ? with_thirds(surface, there.point, back.point)
+                                : with_thirds(surface, pair->on_second, there.point);
 }
 
 }  // namespace chebnet
