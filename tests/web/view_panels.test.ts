@@ -242,7 +242,7 @@ describe('panels that come after the first', () => {
     list.tell('setFrame', frame(1), 60, true);
     list.tell('setFrame', frame(2), 60, false);
     const heard: string[] = [];
-    list.join([panel(heard)]);
+    list.join(panel(heard));
     list.tell('setFrame', frame(3), 60, false);
     expect(heard).toEqual(['net', 'frame 2', 'frame 3']);
   });
@@ -252,7 +252,7 @@ describe('panels that come after the first', () => {
     list.tell('setFrame', frame(1), 60, false);
     list.tell('setNet', net);
     const heard: string[] = [];
-    list.join([panel(heard)]);
+    list.join(panel(heard));
     expect(heard).toEqual(['net']);
   });
 });

@@ -32,6 +32,9 @@ import { StepPanel } from './step_panel';
 import { StopButton } from './stop_button';
 import './late_sections.css';
 
+/** Between two sections, if the page never is idle. */
+const PATIENCE_MS = 100;
+
 interface LateSections {
   panels: Panel[];
   /** From top to bottom. */
@@ -42,18 +45,27 @@ interface LateSections {
   tools: HTMLElement[];
 }
 
+/** Between two of them, each of which has much to do at first: a hand at the net, and pictures, go before. */
+export function pause(): Promise<void> {
+  return new Promise((resolve) => {
+    // WebKit has none.
+    if ('requestIdleCallback' in window) requestIdleCallback(() => resolve(), { timeout: PATIENCE_MS });
+    else setTimeout(resolve);
+  });
+}
+
 /** @param experiments exists already, since its note is placed elsewhere. @param shape the section that gets its
  *  pictures and hints.
  *  @param behaviour the section to which more controls are added. @param exports the menu that is still empty. @param ends what
  *  the legend unfolds. */
-export function createLateSections(
+export async function createLateSections(
   { events, say, failed, fold }: SidebarServices,
   experiments: HTMLElement,
   shape: HTMLElement,
   behaviour: HTMLElement,
   exports: Menu,
   ends: HTMLElement,
-): LateSections {
+): Promise<LateSections> {
   listenForMenus();
   const comparison = new ComparisonForm((request) => {
     fold();
@@ -68,14 +80,18 @@ export function createLateSections(
   ends.append(mapEnds.element);
   const stop = new StopButton(events);
   document.querySelector('.status-words')!.after(stop.element);
+  await pause();
+  const handles = new HandleList(events);
+  await pause();
   const usual = [
-    new HandleList(events),
+    handles,
     drag,
     new ChangePanel(events, failed),
     new Appearance(events),
     new HistoryPanel((index) => events.goTo(index)),
     new LearnPanel(events, failed),
   ];
+  await pause();
   const [convergence, solver, step] = [new ConvergencePanel(), new SolverPanel(events), new StepPanel(events, say)];
   const research = makeSection(
     panelWords.research,

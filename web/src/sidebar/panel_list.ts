@@ -23,9 +23,9 @@ export class PanelList {
     for (const panel of this.#panels) hear(panel, name, news);
   }
 
-  join(panels: readonly Panel[]): void {
-    for (const [name, news] of this.#told) for (const panel of panels) hear(panel, name, news);
-    this.#panels.push(...panels);
+  join(panel: Panel): void {
+    for (const [name, news] of this.#told) hear(panel, name, news);
+    this.#panels.push(panel);
   }
 }
 

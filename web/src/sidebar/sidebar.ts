@@ -181,8 +181,8 @@ class Sidebar implements Panels {
   }
 
   async #addLateSections(): Promise<void> {
-    const { createLateSections } = await loadLateSections();
-    const { panels, elements, notices, tools } = createLateSections(
+    const { createLateSections, pause } = await loadLateSections();
+    const { panels, elements, notices, tools } = await createLateSections(
       this.#services,
       this.#experiments.element,
       this.#shape.element,
@@ -190,7 +190,10 @@ class Sidebar implements Panels {
       this.#toolbar.exports,
       this.#legend.ends,
     );
-    this.#panels.join(panels);
+    for (const panel of panels) {
+      this.#panels.join(panel);
+      await pause();
+    }
     this.#sections.append(...elements);
     this.#messages.element.before(...tools);
     this.#messages.element.prepend(...notices);
