@@ -10,11 +10,12 @@ const WAYS_OUT: Record<string, string> = {
 export const dialogs = {
   projects: {
     title: 'My projects',
-    hint: 'Those with a name stay until you delete them; of the others, the newest six.',
+    hint: 'Those with a name stay until you delete them; of the others, the newest six. One that is open can be deleted once another one is open instead.',
     empty: 'Nothing is kept yet: whatever you change is kept here by itself.',
     notKept: 'The net that is open is not kept yet.',
     keep: 'Keep it',
     isOpen: 'open now',
+    whileOpen: 'It is open: it can be deleted once another one is open instead.',
     isElsewhere: 'open in another tab',
     name: (project: string) => `Name of ${project}`,
     open: 'Open',
