@@ -647,6 +647,8 @@ const hasFocus = (element: Locator) => element.evaluate((each) => each === docum
 
 test.each(DRAWINGS)('Escape gives up what is being drawn, and then the dialog: $draw', async (drawing) => {
   const { button, words } = await beginDrawing(drawing, 'mouse');
+  const caption = draper().locator('figcaption').first();
+  if (drawing.net === 'piece') expect(await caption.innerText()).toMatch(/^Press the surface to set the points/);
   if (drawing.net === 'piece') await measured();
   const before = drawing.net === 'piece' ? await figures() : '';
   await clickPicture([0.3, 0.45], [0.5, 0.5], [0.66, 0.42]);
@@ -654,6 +656,7 @@ test.each(DRAWINGS)('Escape gives up what is being drawn, and then the dialog: $
   await expect.poll(async () => (await back.all()).length).toBeGreaterThan(0);
   await visit.page.keyboard.press('Escape');
   await words.waitFor({ state: 'hidden' });
+  if (drawing.net === 'piece') expect(await caption.innerText()).toMatch(/^Drag the sphere/);
   expect(await button.getAttribute('aria-pressed')).toBe('false');
   expect(
     await draper()

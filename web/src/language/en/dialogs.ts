@@ -108,6 +108,8 @@ export const dialogs = {
       `${distance} edges off`,
     ],
     picture: 'The surface and the net on it; arrow keys move the seed, or the singular vertex that is chosen',
+    /** While a cut or a curve is drawn. */
+    pointing: 'Press the surface to set the points of the line, one after the other.',
     howTo: 'Drag the sphere to begin the net elsewhere, the ring beside it to turn the net.',
     surface: 'Surface',
     fromFile: 'A file of yours…',

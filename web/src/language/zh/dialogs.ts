@@ -119,6 +119,7 @@ export const dialogs: Widened<typeof en> = {
     proposal: (number, how) => `起点 ${number}：${how.join(' ')}`,
     proposed: (covered, sheared, distance) => [`覆盖 ${covered}`, `剪切 ${sheared}`, `离面 ${distance} 边长`],
     picture: '曲面及其上的网；方向键移动起点，或选中的奇异顶点',
+    pointing: '在曲面上依次点出线的各点。',
     howTo: '拖动圆球，网便从别处开始；拖动旁边的圆环可转动网。',
     surface: '曲面',
     fromFile: '打开自己的文件…',
