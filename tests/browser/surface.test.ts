@@ -798,6 +798,24 @@ function piece(edges: Int32Array, first: number): Set<number> {
   return found;
 }
 
+test.each([
+  ['en', 'On a surface…'],
+  ['zh-CN', '在曲面上…'],
+])('each list stands beside its name (%s)', async (locale, name) => {
+  const { page } = await arrive('', { locale });
+  await page.getByRole('button', { name }).click();
+  const rows = page.getByRole('dialog').locator('.row:has(> select):visible');
+  await rows.first().waitFor();
+  const apart = await rows.evaluateAll((all) =>
+    all.map((row) => {
+      const [name, list] = [...row.children].map((each) => each.getBoundingClientRect());
+      return name!.bottom < list!.top;
+    }),
+  );
+  expect(apart.length).toBeGreaterThan(3);
+  expect(apart).not.toContain(true);
+});
+
 test('lines through the seed bend to shear less, or follow a curve that is drawn, by hand and by keys', async () => {
   const { vertices: first } = await script.stats();
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();
