@@ -57,6 +57,18 @@ async function becomes(count: (before: number) => number, name: string): Promise
   expect((await script.stats()).maxDeviation).toBeLessThan(1e-9);
 }
 
+test('the list of lines says what to do as long as there are none', async () => {
+  const line = section().getByRole('combobox', { name: 'Line' });
+  const told = () => line.locator('option').allTextContents();
+  expect(await told()).toEqual(['choose a handle first']);
+  const { vertex } = (await visit.page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await choose(vertex);
+  expect(await told()).toContain('Net line 1');
+  await visit.page.locator('#view canvas').focus();
+  await visit.page.keyboard.press('Escape');
+  await expect.poll(told).toEqual(['choose a handle first']);
+});
+
 test('so fine that it does not come to rest any more, and back, which is said with the reason', async () => {
   await script.open({ recipe: 'vault:vertices=3200' });
   await script.settled();

@@ -218,6 +218,29 @@ test('what is said of that lies on no handle, and stays where it is while one is
   await page.mouse.up();
 });
 
+test('what is said of a net that has been pulled up lies beside it, and beside the line below the title', async () => {
+  visit = await share();
+  ({ script } = visit);
+  const { page } = visit;
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await dragBy(script, vertex, [0, -240]);
+  await script.settled();
+  const message = page.locator('.stuck-notice .message');
+  await message.waitFor();
+  await drawn(page);
+  const { x, y, width, height } = (await message.boundingBox())!;
+  const net = await page.evaluate(() =>
+    Array.from({ length: window.chebnet.stats().vertices }, (_, v) => window.chebnet.screenPosition(v)),
+  );
+  expect(net.filter((at) => at.x > x && at.x < x + width && at.y > y && at.y < y + height)).toEqual([]);
+  const endOfLine = await page.locator('.title p:visible').evaluate((line) => {
+    const words = document.createRange();
+    words.selectNodeContents(line);
+    return getComputedStyle(line).visibility === 'visible' ? words.getBoundingClientRect().right : NaN;
+  });
+  expect(endOfLine).toBeLessThan(x);
+});
+
 test('so far up that the net is larger than the picture: all of it is seen afterwards, and what is said can be dismissed', async () => {
   visit = await share({ viewport: { width: 390, height: 844 } });
   ({ script } = visit);

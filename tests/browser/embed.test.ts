@@ -80,6 +80,16 @@ test('the way out leads to the editor with the same scene', async () => {
   expect(distance(there.target, (await crown()).target)).toBeLessThan(1e-6);
 });
 
+test('what is said of a broken link leaves free what says to press', async () => {
+  const visit = await site.open('?embed=1#n=broken', { viewport: { width: 500, height: 380 } });
+  const boxOf = async (part: string) => (await visit.page.locator(part).boundingBox())!;
+  await visit.page.getByText('This link is not one of chebnet.').waitFor();
+  const [message, press] = [await boxOf('.message'), await boxOf('.shield span')];
+  await visit.page.screenshot({ path: join(OUTPUT, 'embed-broken-link.png') });
+  expect(press.y + press.height).toBeLessThan(message.y);
+  expect(press.y).toBeGreaterThan(0);
+});
+
 test('on a phone it has room, and no panels', async () => {
   await page.setViewportSize({ width: 390, height: 844 });
   await page.screenshot({ path: join(OUTPUT, 'lesson-phone.png') });

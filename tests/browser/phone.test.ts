@@ -447,6 +447,46 @@ test.each([
 
 test.each([
   [360, 740],
+  [844, 390],
+])('at %i by %i the line below the title makes room for the arrow at what is selected', async (width, height) => {
+  const { page, script } = await share({ viewport: { width, height }, hasTouch: true, isMobile: true });
+  const line = page.locator('.title p').first();
+  const isSeen = () => line.evaluate((each) => getComputedStyle(each).visibility === 'visible');
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  expect(await isSeen()).toBe(true);
+  const { x, y } = await script.screenPosition(vertex);
+  await page.touchscreen.tap(x, y);
+  await page.locator('.selection-bar').waitFor();
+  await expect.poll(isSeen).toBe(false);
+  await page.locator('#view canvas').focus();
+  await page.keyboard.press('Escape');
+  await expect.poll(isSeen).toBe(true);
+});
+
+test.each([
+  [360, 740, 'en'],
+  [360, 740, 'zh-CN'],
+  [844, 390, 'en'],
+])('at %i by %i more than one way out is seen beside what is selected (%s)', async (width, height, locale) => {
+  const { page, script } = await arrive('', { viewport: { width, height }, hasTouch: true, isMobile: true, locale });
+  const { vertex, target } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const { x, y } = await script.screenPosition(vertex);
+  await page.touchscreen.tap(x, y);
+  await page.locator('.selection-bar').waitFor();
+  await script.move(vertex, [target[0], target[1], target[2] + 20]);
+  await page.locator('.stuck-notice .message').waitFor();
+  await drawn(page);
+  const [end, ...begins] = await page.locator('.stuck-notice .buttons').evaluate((ways) => {
+    const seen = [...ways.children].filter((each) => each.checkVisibility());
+    return [ways.getBoundingClientRect().right, ...seen.map((each) => each.getBoundingClientRect().left)];
+  });
+  expect(begins.length).toBe(3);
+  // A good part of it, before it fades.
+  expect(begins[1]! + 40).toBeLessThan(end!);
+});
+
+test.each([
+  [360, 740],
   [375, 553],
   [740, 360],
 ])(

@@ -428,6 +428,12 @@ test('what is kept for the first time is listed at once, with its name, date and
   expect(name).toMatch(/\w/);
   expect(await field.getAttribute('aria-label')).toBe(`Name of ${name}`);
   expect(await dialog.locator('li small').innerText()).toMatch(/\d.* · open now$/);
+  await dialog.getByText('One that is open can be deleted once another one is open instead.').waitFor();
+  const remove = dialog.getByRole('button', { name: /^Delete/ });
+  expect([await remove.isDisabled(), await remove.getAttribute('title')]).toEqual([
+    true,
+    expect.stringMatching(/^It is open/),
+  ]);
   const isDrawn = (canvas: HTMLCanvasElement) =>
     canvas
       .getContext('2d')!

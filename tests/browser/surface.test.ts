@@ -647,6 +647,8 @@ const hasFocus = (element: Locator) => element.evaluate((each) => each === docum
 
 test.each(DRAWINGS)('Escape gives up what is being drawn, and then the dialog: $draw', async (drawing) => {
   const { button, words } = await beginDrawing(drawing, 'mouse');
+  const caption = draper().locator('figcaption').first();
+  if (drawing.net === 'piece') expect(await caption.innerText()).toMatch(/^Press the surface to set the points/);
   if (drawing.net === 'piece') await measured();
   const before = drawing.net === 'piece' ? await figures() : '';
   await clickPicture([0.3, 0.45], [0.5, 0.5], [0.66, 0.42]);
@@ -654,6 +656,7 @@ test.each(DRAWINGS)('Escape gives up what is being drawn, and then the dialog: $
   await expect.poll(async () => (await back.all()).length).toBeGreaterThan(0);
   await visit.page.keyboard.press('Escape');
   await words.waitFor({ state: 'hidden' });
+  if (drawing.net === 'piece') expect(await caption.innerText()).toMatch(/^Drag the sphere/);
   expect(await button.getAttribute('aria-pressed')).toBe('false');
   expect(
     await draper()
@@ -794,6 +797,24 @@ function piece(edges: Int32Array, first: number): Set<number> {
   }
   return found;
 }
+
+test.each([
+  ['en', 'On a surface…'],
+  ['zh-CN', '在曲面上…'],
+])('each list stands beside its name (%s)', async (locale, name) => {
+  const { page } = await arrive('', { locale });
+  await page.getByRole('button', { name }).click();
+  const rows = page.getByRole('dialog').locator('.row:has(> select):visible');
+  await rows.first().waitFor();
+  const apart = await rows.evaluateAll((all) =>
+    all.map((row) => {
+      const [name, list] = [...row.children].map((each) => each.getBoundingClientRect());
+      return name!.bottom < list!.top;
+    }),
+  );
+  expect(apart.length).toBeGreaterThan(3);
+  expect(apart).not.toContain(true);
+});
 
 test('lines through the seed bend to shear less, or follow a curve that is drawn, by hand and by keys', async () => {
   const { vertices: first } = await script.stats();

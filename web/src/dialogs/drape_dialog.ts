@@ -17,7 +17,7 @@ import type {
 } from '../drape/drape_protocol';
 import { Draping } from '../drape/draping';
 import type { DrapeWorkerLike } from '../drape/draping';
-import { make, makeButton } from '../elements/dom';
+import { make, makeButton, setText } from '../elements/dom';
 import { proposedHandles } from '../handles/proposal';
 import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
@@ -70,7 +70,7 @@ export class DrapeDialog implements DraperLike {
   readonly #arms = new DrapeArms({
     drawingChanged: (drawing) => {
       if (drawing) this.#cuts.setCutting(false);
-      this.#picture.setCutting(drawing);
+      this.#setDrawing(drawing);
     },
     shown: (curve, points) => {
       if (!this.#form.isWhole) this.#picture.setCurves(curve === null ? [] : [curve], points);
@@ -81,7 +81,7 @@ export class DrapeDialog implements DraperLike {
   readonly #cuts = new DrapeCuts({
     cuttingChanged: (cutting) => {
       if (cutting) this.#arms.stopDrawing();
-      this.#picture.setCutting(cutting);
+      this.#setDrawing(cutting);
     },
     shown: (cuts, points) => this.#picture.setCuts(cuts, points),
     traceWanted: (points, revision) => this.#draping.trace('cuts', points, revision),
@@ -230,6 +230,12 @@ export class DrapeDialog implements DraperLike {
   get #drawn(): DrapeArms | DrapeCuts | DrapeCreases | null {
     if (this.#form.isWhole) return this.#creases.isDrawing ? this.#creases : null;
     return this.#arms.isDrawing ? this.#arms : this.#cuts;
+  }
+
+  /** Whether presses on the surface set points of a line. */
+  #setDrawing(drawing: boolean): void {
+    this.#picture.setCutting(drawing);
+    setText(this.#howTo, drawing ? TEXT.pointing : TEXT.howTo);
   }
 
   /** False: nothing is drawn. */

@@ -74,6 +74,7 @@ export class ProjectRow {
     this.#copy.ariaLabel = TEXT.copyOne(this.#called);
     this.#delete.ariaLabel = TEXT.deleteOne(this.#called);
     this.#delete.disabled = isPresent || isElsewhere;
+    this.#delete.title = this.#delete.disabled ? TEXT.whileOpen : '';
     const when = date?.toLocaleString(words.locale, { dateStyle: 'medium', timeStyle: 'short' }) ?? '';
     const standing = isPresent ? TEXT.isOpen : isElsewhere ? TEXT.isElsewhere : '';
     setText(this.#about, [when, standing].filter(Boolean).join(' · '));

@@ -49,7 +49,7 @@ export class ChangePanel implements Panel {
   /** A button or the choice of a line shows what it would do. */
   #isPreviewing = false;
   /** How many lines there are to choose from, and of which kinds. */
-  #offered = '';
+  #offered: string | null = null;
 
   constructor(events: PanelEvents, failed: (error: unknown) => void) {
     this.#events = events;
@@ -137,11 +137,11 @@ export class ChangePanel implements Panel {
     if (this.#offered === names.join()) return;
     this.#offered = names.join();
     const before = this.#line.select.value;
-    this.#line.select.replaceChildren(
-      ...names.map((name) =>
-        make('option', { value: name }, typeof name === 'number' ? TEXT.lineName(name) : TEXT.lines[name]),
-      ),
+    const choices = names.map((name) =>
+      make('option', { value: name }, typeof name === 'number' ? TEXT.lineName(name) : TEXT.lines[name]),
     );
+    if (choices.length === 0) choices.push(make('option', { value: '' }, TEXT.noLine));
+    this.#line.select.replaceChildren(...choices);
     if (names.map(String).includes(before)) this.#line.select.value = before;
   }
 

@@ -10,11 +10,12 @@ const WAYS_OUT: Record<string, string> = {
 export const dialogs = {
   projects: {
     title: 'My projects',
-    hint: 'Those with a name stay until you delete them; of the others, the newest six.',
+    hint: 'Those with a name stay until you delete them; of the others, the newest six. One that is open can be deleted once another one is open instead.',
     empty: 'Nothing is kept yet: whatever you change is kept here by itself.',
     notKept: 'The net that is open is not kept yet.',
     keep: 'Keep it',
     isOpen: 'open now',
+    whileOpen: 'It is open: it can be deleted once another one is open instead.',
     isElsewhere: 'open in another tab',
     name: (project: string) => `Name of ${project}`,
     open: 'Open',
@@ -107,6 +108,8 @@ export const dialogs = {
       `${distance} edges off`,
     ],
     picture: 'The surface and the net on it; arrow keys move the seed, or the singular vertex that is chosen',
+    /** While a cut or a curve is drawn. */
+    pointing: 'Press the surface to set the points of the line, one after the other.',
     howTo: 'Drag the sphere to begin the net elsewhere, the ring beside it to turn the net.',
     surface: 'Surface',
     fromFile: 'A file of yours…',

@@ -172,6 +172,8 @@ export const panels = {
       handles === 1 ? 'At the chosen handle:' : `At the ${handles} chosen handles, lines through the last one:`,
     allPieces: 'Every piece of the net has a chosen handle: choose fewer handles',
     line: 'Line',
+    /** In place of the lines to choose from, as long as there are none. */
+    noLine: 'choose a handle first',
     lineName: (name: number) => `Net line ${name + 1}`,
     lines: {
       boundary: 'Boundary loop',

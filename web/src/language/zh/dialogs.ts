@@ -29,11 +29,12 @@ const WAYS_OUT: Record<string, string> = {
 export const dialogs: Widened<typeof en> = {
   projects: {
     title: '我的项目',
-    hint: '已命名的项目保留到您删除为止；其余的保留最新六个。',
+    hint: '已命名的项目保留到您删除为止；其余的保留最新六个。正打开着的，改开另一个之后才能删除。',
     empty: '尚未保存任何项目：您的改动会自动保存在这里。',
     notKept: '当前打开的网尚未保存。',
     keep: '保存',
     isOpen: '当前打开',
+    whileOpen: '它正打开着：改开另一个之后即可删除。',
     isElsewhere: '在另一标签页中打开',
     name: (project) => `${project} 的名称`,
     open: '打开',
@@ -118,6 +119,7 @@ export const dialogs: Widened<typeof en> = {
     proposal: (number, how) => `起点 ${number}：${how.join(' ')}`,
     proposed: (covered, sheared, distance) => [`覆盖 ${covered}`, `剪切 ${sheared}`, `离面 ${distance} 边长`],
     picture: '曲面及其上的网；方向键移动起点，或选中的奇异顶点',
+    pointing: '在曲面上依次点出线的各点。',
     howTo: '拖动圆球，网便从别处开始；拖动旁边的圆环可转动网。',
     surface: '曲面',
     fromFile: '打开自己的文件…',

@@ -376,6 +376,7 @@ export const panels: Widened<typeof en> = {
     chosen: (handles) => (handles === 1 ? '在所选手柄处：' : `在所选的 ${handles} 个手柄处，线经过最后一个：`),
     allPieces: '网的每一片都有所选的手柄：请少选一些手柄',
     line: '线',
+    noLine: '先选手柄或画线',
     lineName: (name) => `网线 ${name + 1}`,
     lines: { boundary: '边界', through: '经过各手柄的最短路', between: '手柄之间', drawn: '画出的线' },
     ways: {
