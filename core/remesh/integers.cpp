@@ -87,11 +87,12 @@ Change best_change(const Eigen::MatrixXd& A, const Eigen::VectorXd& gradient) {
         for (const int a : {-1, 1}) {
             const double cost = half[i] + a * gradient[i];
             if (cost < best.gain) best = {i, -1, a, 0, cost};
-            for (Eigen::Index j = 0; j < i; ++j)
-                for (const int c : {-1, 1}) {
-                    const double both = cost + half[j] + c * gradient[j] + a * c * row[j];
-                    if (both < best.gain) best = {i, j, a, c, both};
-                }
+            for (Eigen::Index j = 0; j < i; ++j) {
+                const double both = cost + half[j], less = both - gradient[j] - a * row[j],
+                             more = both + gradient[j] + a * row[j];
+                if (less < best.gain) best = {i, j, a, -1, less};
+                if (more < best.gain) best = {i, j, a, 1, more};
+            }
         }
     }
     return best;
