@@ -16,6 +16,7 @@
 #include "surface/guide.h"
 #include "surface/smoothed_surface.h"
 #include "surface/surface_cut.h"
+#include "surface/surface_parts.h"
 
 namespace chebnet {
 

@@ -15,7 +15,7 @@
 #include "drape/proposals.h"
 #include "drape/tilt.h"
 #include "surface/smoothed_surface.h"
-#include "surface/surface_cut.h"
+#include "surface/surface_parts.h"
 
 namespace chebnet {
 

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,9 +11,9 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "base/stopwatch.h"
-#include "drape/tilt.h"
 #include "net/measures.h"
 #include "remesh/creases.h"
+#include "remesh/limb_trials.h"
 #include "remesh/prepared_surface.h"
 #include "remesh/remesh_one_way.h"
 #include "remesh/rows.h"
@@ -29,11 +27,6 @@ namespace {
 constexpr double k_most_smoothing = 100;
 // Of a cell, in the surface's unit, or its inverse: beyond it lengths are lost beside numbers that have no unit.
 constexpr double k_largest_cell = 1e15;
-// Around limbs that are left off go fewer cells than this, and than the second where there is no net even so.
-constexpr double k_thin_girth = 4, k_wide_girth = 5;
-// A net with so many folds is worth a trial without limbs, which has to halve them.
-constexpr int k_many_limb_folds = 10;
-constexpr double k_clearly_fewer = 0.5;
 
 /** Refuses `number` unless it is from 0 to `most`, with the sentence that says so. */
 void check_number(double number, double most, const char* refusal) {
@@ -73,54 +66,6 @@ Remesh remesh_closed(const std::shared_ptr<const Guide>& closed, const RemeshOpt
     return made;
 }
 
-/// A net with all limbs if that can be, and is not much crumpled; for what is thin alone need not spoil it.
-class LimbTrials {
-public:
-    LimbTrials(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options, const RemeshProgress& progress)
-        : m_guide(guide), m_options(options), m_progress(progress) {}
-
-    Remesh run() {
-        attempt({m_guide});
-        const bool is_free = m_options.singular.is_empty() && m_options.marked_creases.empty();
-        if (is_free && m_folds > k_many_limb_folds && !attempt_without(k_thin_girth)) attempt_without(k_wide_girth);
-        if (!m_made) std::rethrow_exception(m_failure);
-        return *std::move(m_made);
-    }
-
-private:
-    /// Whether a net was made.
-    bool attempt_without(double girth) {
-        const Surface& surface = m_guide->surface();
-        const double cell = std::sqrt(surface.area() / cells_asked_for(surface, m_options));
-        const double crease = m_options.crease > 0 ? m_options.crease : k_sharp_edge;
-        const WithoutLimbs trimmed = without_thin_limbs(m_guide, cell, girth, crease);
-        return !trimmed.limbs.empty() && attempt(trimmed);
-    }
-
-    bool attempt(const WithoutLimbs& trimmed) {
-        try {
-            Remesh made = remesh_closed(trimmed.guide, m_options, m_progress);
-            const int folds = crumpled_edges(*m_guide, made.net);
-            if (m_made && folds > k_clearly_fewer * m_folds) return true;
-            made.left_off = trimmed.limbs;
-            m_made = std::move(made);
-            m_folds = folds;
-            return true;
-        } catch (const Error& error) {
-            if (error.code() != ErrorCode::bad_option && error.code() != ErrorCode::too_large) throw;
-            if (!m_failure) m_failure = std::current_exception();
-            return false;
-        }
-    }
-
-    std::shared_ptr<const Guide> m_guide;
-    const RemeshOptions& m_options;
-    const RemeshProgress& m_progress;
-    std::optional<Remesh> m_made;
-    int m_folds = std::numeric_limits<int>::max();
-    std::exception_ptr m_failure;  // of the first
-};
-
 }  // namespace
 
 const char* to_string(RemeshPhase phase) {
@@ -158,7 +103,9 @@ void check_remesh(const Guide& guide, const RemeshOptions& options) {
 
 Remesh remesh(const std::shared_ptr<const Guide>& guide, const RemeshOptions& asked, const RemeshProgress& progress) {
     check_remesh(*guide, asked);
-    Remesh made = LimbTrials(without_small_holes(guide, asked), asked, progress).run();
+    Remesh made = with_fitting_limbs(
+        without_small_holes(guide, asked), asked,
+        [&](const std::shared_ptr<const Guide>& closed) { return remesh_closed(closed, asked, progress); });
     Mesh rows = in_rows({made.net.rest_positions(), made.net.faces()});
     made.net = Net(std::move(rows.positions), std::move(rows.faces), RestLengths::equal);
     made.singular = singular_vertices(made.net);

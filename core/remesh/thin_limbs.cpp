@@ -16,6 +16,7 @@
 #include "remesh/even_triangles.h"
 #include "remesh/pinholes.h"
 #include "surface/geodesics.h"
+#include "surface/surface_parts.h"
 
 namespace chebnet {
 
@@ -149,28 +150,15 @@ public:
     /// Without them, with caps; nothing if that is no surface.
     std::optional<Surface> rest() const {
         try {
-            std::vector<int> number(static_cast<std::size_t>(m_surface.vertex_count()), -1), kept;
-            Mesh mesh;
-            for (int f = 0; f < m_surface.face_count(); ++f) {
-                if (m_gone[f]) continue;
-                std::array<int, 3> corners{};
-                for (int k = 0; k < 3; ++k) {
-                    const int v = m_surface.triangles()(k, f);
-                    if (number[v] < 0) {
-                        number[v] = static_cast<int>(kept.size());
-                        kept.push_back(v);
-                    }
-                    corners[k] = number[v];
-                }
-                mesh.faces.add(corners);
-            }
-            mesh.positions = m_surface.positions()(Eigen::all, kept);
-            const Surface open(mesh);
-            if (open.vertex_count() != std::ssize(kept)) return std::nullopt;  // cuts that touch each other
+            std::vector<int> part;
+            for (const bool gone : m_gone) part.push_back(gone ? -1 : 0);
+            const SurfacePart open = std::move(parts_of(m_surface, part, 1).front());
+            if (open.surface.vertex_count() != std::ssize(open.vertices)) return std::nullopt;  // cuts touch each other
             std::vector<std::vector<int>> cuts;
-            for (std::vector<int>& loop : open.boundary_loops())
-                if (!m_surface.is_boundary(kept[open.from(loop.front())])) cuts.push_back(std::move(loop));
-            return closed_at(open, cuts);
+            for (std::vector<int>& loop : open.surface.boundary_loops())
+                if (!m_surface.is_boundary(open.vertices[open.surface.from(loop.front())]))
+                    cuts.push_back(std::move(loop));
+            return closed_at(open.surface, cuts);
         } catch (const Error&) {
             return std::nullopt;
         }

@@ -448,31 +448,4 @@ std::vector<int> facing_sides(const Surface& surface) {
     return facing;
 }
 
-std::vector<Surface> pieces_of(const Surface& surface) {
-    const std::vector<int> component = surface.components();
-    const int count = *std::max_element(component.begin(), component.end()) + 1;
-    std::vector<Mesh> meshes(static_cast<std::size_t>(count));
-    std::vector<int> number(static_cast<std::size_t>(surface.vertex_count()), -1);  // in its piece
-    std::vector<std::vector<int>> vertices(meshes.size());
-    for (int f = 0; f < surface.face_count(); ++f) {
-        std::vector<int>& own = vertices[component[f]];
-        Corners corners{};
-        for (int k = 0; k < 3; ++k) {
-            const int vertex = surface.triangles()(k, f);
-            if (number[vertex] < 0) {
-                number[vertex] = static_cast<int>(own.size());
-                own.push_back(vertex);
-            }
-            corners[k] = number[vertex];
-        }
-        meshes[component[f]].faces.add(corners);
-    }
-    std::vector<Surface> pieces;
-    for (std::size_t p = 0; p < meshes.size(); ++p) {
-        meshes[p].positions = surface.positions()(Eigen::all, vertices[p]);
-        pieces.emplace_back(meshes[p]);
-    }
-    return pieces;
-}
-
 }  // namespace chebnet

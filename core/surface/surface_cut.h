@@ -51,7 +51,4 @@ SurfaceWithLines with_lines(const Surface& surface, std::span<const CutLine> lin
 /// other way between the same two places in space; −1 for all others.
 std::vector<int> facing_sides(const Surface& surface);
 
-/// Each piece as a surface of its own, in the order of Surface::components().
-std::vector<Surface> pieces_of(const Surface& surface);
-
 }  // namespace chebnet

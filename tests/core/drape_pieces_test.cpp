@@ -18,6 +18,7 @@
 #include "sample_surfaces.h"
 #include "surface/gallery.h"
 #include "surface/surface_cut.h"
+#include "surface/surface_parts.h"
 
 using namespace chebnet;
 using Catch::Matchers::Contains;

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "sample_surfaces.h"
 #include "surface/curvature.h"
+#include "surface/surface_parts.h"
 #include "surface/surface_path.h"
 #include "surface/surface_point.h"
 
