@@ -1,7 +1,8 @@
 /** What a visitor does first with a net of the gallery leaves it one that could be woven. */
 import { expect, test } from 'vitest';
 import type { Editor } from '../../wasm/chebnet';
-import { sharpQuads, writeFolds } from '../../web/src/net/fold';
+import { writeFolds } from '../../web/src/net/fold';
+import { sharpQuads } from '../../web/src/net/sharp_quads';
 import { load } from './load';
 
 const chebnet = await load();

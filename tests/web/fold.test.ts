@@ -1,6 +1,7 @@
 /** Fold angles, curvature and sharp corners, as the page reckons them. */
 import { expect, test } from 'vitest';
-import { sharpQuads, writeCurvatures, writeFolds } from '../../web/src/net/fold';
+import { writeCurvatures, writeFolds } from '../../web/src/net/fold';
+import { sharpQuads } from '../../web/src/net/sharp_quads';
 import { load } from '../wasm/load';
 
 const chebnet = await load();
@@ -42,4 +43,12 @@ test('the quads of a sheet are as sharp as right angles, and so are those of blo
     expect(sharpQuads(net, net.positions(), 89.9).size).toBe(0);
     expect(sharpQuads(net, net.positions(), 90.1).size).toBe(net.info.faces);
   }
+});
+
+test('a quad with a side of no length is sharp', () => {
+  const net = chebnet.openRecipe('sheet:vertices=121');
+  const positions = net.positions();
+  const [one, next] = net.faceVertices;
+  positions.copyWithin(3 * next!, 3 * one!, 3 * one! + 3);
+  expect(sharpQuads(net, positions, 30)).toContain(0);
 });

@@ -1,4 +1,4 @@
-/** How much a net is folded at its edges, curved at its vertices and sheared in its corners, from its faces. */
+/** How much a net is folded at its edges and curved at its vertices, from its faces. */
 import type { Edges } from './longer';
 
 export interface Faces extends Edges {
@@ -16,8 +16,8 @@ export function writeFolds(folds: Float32Array, positions: Float64Array, net: Fa
   const normals = faceNormals(positions, net);
   const pairs = facePairs(net);
   for (let edge = 0; edge < folds.length; edge++) {
-    const [a, b] = [pairs[2 * edge]!, pairs[2 * edge + 1]!];
-    folds[edge] = b < 0 ? 0 : DEGREES * angleBetween(normals, 3 * a, normals, 3 * b);
+    const b = pairs[2 * edge + 1]!;
+    folds[edge] = b < 0 ? 0 : DEGREES * angleBetween(normals, 3 * pairs[2 * edge]!, normals, 3 * b);
   }
 }
 
@@ -31,57 +31,41 @@ export function sharpFolds(net: Faces, positions: Float64Array): number {
 /** At each inner vertex 360° less the angles of the faces there, by the number of vertices: the total curvature of a net that
  *  were everywhere so curved, in degrees, whatever the size of its edges. Above 0 as a dome, below 0 as a saddle. */
 export function writeCurvatures(curvatures: Float32Array, positions: Float64Array, net: Faces): void {
+  const { edges, faceStart, faceVertices } = net;
   const count = curvatures.length;
-  curvatures.fill(360 * count);
-  forEachCorner(net, positions, (angle, vertex) => (curvatures[vertex]! -= count * DEGREES * angle));
-  const { edges } = net;
-  const pairs = facePairs(net);
-  for (let edge = 0; 2 * edge < edges.length; edge++)
-    if (pairs[2 * edge + 1]! < 0) curvatures[edges[2 * edge]!] = curvatures[edges[2 * edge + 1]!] = 0;
-}
-
-/** The quads with a corner sharper than so many degrees. */
-export function sharpQuads(net: Corners, positions: Float64Array, limit: number): Set<number> {
-  const sharp = new Set<number>();
-  forEachCorner(net, positions, (angle, _, face) => {
-    const isQuad = net.faceStart[face + 1]! - net.faceStart[face]! === 4;
-    if (isQuad && DEGREES * angle < limit) sharp.add(face);
-  });
-  return sharp;
-}
-
-type Corners = Pick<Faces, 'faceStart' | 'faceVertices'>;
-
-/** @param take is given the angle at each corner, in radians. */
-function forEachCorner(
-  { faceStart, faceVertices }: Corners,
-  positions: Float64Array,
-  take: (angle: number, vertex: number, face: number) => void,
-): void {
   const sides = new Float64Array(6);
+  curvatures.fill(360 * count);
   for (let face = 0; face + 1 < faceStart.length; face++) {
-    const [from, end] = [faceStart[face]!, faceStart[face + 1]!];
+    const from = faceStart[face]!;
+    const end = faceStart[face + 1]!;
     for (let at = from; at < end; at++) {
       const corner = faceVertices[at]!;
-      const [next, last] = [faceVertices[at + 1 < end ? at + 1 : from]!, faceVertices[at > from ? at - 1 : end - 1]!];
+      const next = faceVertices[at + 1 < end ? at + 1 : from]!;
+      const last = faceVertices[at > from ? at - 1 : end - 1]!;
       for (let k = 0; k < 3; k++) {
         sides[k] = positions[3 * next + k]! - positions[3 * corner + k]!;
         sides[3 + k] = positions[3 * last + k]! - positions[3 * corner + k]!;
       }
-      take(angleBetween(sides, 0, sides, 3), corner, face);
+      curvatures[corner]! -= count * DEGREES * angleBetween(sides, 0, sides, 3);
     }
   }
+  const pairs = facePairs(net);
+  for (let edge = 0; 2 * edge < edges.length; edge++)
+    if (pairs[2 * edge + 1]! < 0) curvatures[edges[2 * edge]!] = curvatures[edges[2 * edge + 1]!] = 0;
 }
 
 /** Of each face by Newell's sum, which needs no plane faces; not of unit length. */
 function faceNormals(positions: Float64Array, { faceStart, faceVertices }: Faces): Float64Array {
   const normals = new Float64Array(3 * (faceStart.length - 1));
   for (let face = 0; face + 1 < faceStart.length; face++) {
-    const [from, end] = [faceStart[face]!, faceStart[face + 1]!];
+    const from = faceStart[face]!;
+    const end = faceStart[face + 1]!;
     for (let at = from; at < end; at++) {
-      const [a, b] = [3 * faceVertices[at]!, 3 * faceVertices[at + 1 < end ? at + 1 : from]!];
+      const a = 3 * faceVertices[at]!;
+      const b = 3 * faceVertices[at + 1 < end ? at + 1 : from]!;
       for (let k = 0; k < 3; k++) {
-        const [i, j] = [(k + 1) % 3, (k + 2) % 3];
+        const i = (k + 1) % 3;
+        const j = (k + 2) % 3;
         normals[3 * face + k]! += (positions[a + i]! - positions[b + i]!) * (positions[a + j]! + positions[b + j]!);
       }
     }
@@ -89,9 +73,13 @@ function faceNormals(positions: Float64Array, { faceStart, faceVertices }: Faces
   return normals;
 }
 
+// Without arrays of three: it is called for every edge, or corner, of a net in the hand.
 function angleBetween(u: Float64Array, i: number, v: Float64Array, j: number): number {
-  const [a, b, c, x, y, z] = [u[i]!, u[i + 1]!, u[i + 2]!, v[j]!, v[j + 1]!, v[j + 2]!];
-  return Math.atan2(Math.hypot(b * z - c * y, c * x - a * z, a * y - b * x), a * x + b * y + c * z);
+  const x = u[i + 1]! * v[j + 2]! - u[i + 2]! * v[j + 1]!;
+  const y = u[i + 2]! * v[j]! - u[i]! * v[j + 2]!;
+  const z = u[i]! * v[j + 1]! - u[i + 1]! * v[j]!;
+  const along = u[i]! * v[j]! + u[i + 1]! * v[j + 1]! + u[i + 2]! * v[j + 2]!;
+  return Math.atan2(Math.sqrt(x * x + y * y + z * z), along);
 }
 
 const known = new WeakMap<Int32Array, Int32Array>();

@@ -1,7 +1,8 @@
 /** The cells of a net that is not as it should be. */
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { deviation, edgeLength, KEPT_DEVIATION } from '../net/edge_lengths';
-import { type Faces, facePairs, SHARP_FOLD, sharpQuads, writeFolds } from '../net/fold';
+import { type Faces, facePairs, SHARP_FOLD, writeFolds } from '../net/fold';
+import { isSharpQuad, sharpQuads } from '../net/sharp_quads';
 
 /** Edges are told apart from the worst one when their error is below this part of it. */
 const PART_OF_WORST = 0.01;
@@ -30,9 +31,9 @@ export function badCells(net: OpenedNet, { positions, lengthScale }: FrameData, 
 
 /** Where an edit has made corners sharper than a limit that the method does not heed. */
 export function creasedCells(net: OpenedNet, { positions }: FrameData, limit: number): BadCells {
-  const before = sharpQuads(net, net.restPositions, limit - ROUNDING);
-  const now = [...sharpQuads(net, positions, limit - ROUNDING)];
-  return { ...NONE_BAD, sharp: new Set(now.filter((face) => !before.has(face))) };
+  const least = limit - ROUNDING;
+  const now = [...sharpQuads(net, positions, least)];
+  return { ...NONE_BAD, sharp: new Set(now.filter((face) => !isSharpQuad(net, net.restPositions, least, face))) };
 }
 
 /** Where an edit has folded the net as no smooth bend does. */
@@ -42,12 +43,20 @@ export function crumpledCells(net: OpenedNet, { positions }: FrameData): BadCell
 
 /** The edges that fold so much more sharply now than before: nets that are rough as they come may fold sharply all over. */
 export function newFolds(net: Faces, before: Float64Array, now: Float64Array): number[] {
-  const [old, folds] = [before, now].map((positions) => {
-    const each = new Float32Array(net.edges.length / 2);
-    writeFolds(each, positions, net);
-    return each;
+  const folds = foldsOf(net, now);
+  const sharp: number[] = [];
+  folds.forEach((fold, edge) => {
+    if (fold > SHARP_FOLD) sharp.push(edge);
   });
-  return [...folds!.keys()].filter((edge) => folds![edge]! > old![edge]! + SHARP_FOLD);
+  if (sharp.length === 0) return [];
+  const old = foldsOf(net, before);
+  return sharp.filter((edge) => folds[edge]! > old[edge]! + SHARP_FOLD);
+}
+
+function foldsOf(net: Faces, positions: Float64Array): Float32Array {
+  const folds = new Float32Array(net.edges.length / 2);
+  writeFolds(folds, positions, net);
+  return folds;
 }
 
 function edgesOff({ edges, restLengths }: OpenedNet, positions: Float64Array, scale: number): number[] {

@@ -5,7 +5,7 @@ import { longestMove } from '../document/longest_move';
 import { make, makeButton, setText } from '../elements/dom';
 import { showLine } from '../elements/leave';
 import { panelWords } from '../language/panels';
-import { sharpQuads } from '../net/fold';
+import { sharpQuads } from '../net/sharp_quads';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';

@@ -18,7 +18,7 @@ import { CornerLimit } from './corner_limit';
 import { GoodPlaces } from './good_places';
 import { makeDismiss } from './messages';
 import { KEPT_DEVIATION } from '../net/edge_lengths';
-import { sharpQuads } from '../net/fold';
+import { sharpQuads } from '../net/sharp_quads';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
 import type { FrameData, OpenedNet, SearchProgress } from '../worker/protocol';
@@ -137,10 +137,12 @@ export class StuckNotice implements Panel {
     }
     this.#frame = frame;
     this.#mark();
+    const wasShown = this.#isShown;
     const isGood = frame.maxDeviation <= KEPT_DEVIATION && this.#badCells.length === 0;
     this.#places.note(this.#history ?? BEGINNING, isGood);
     this.#show();
-    this.#place();
+    // Under a moving hand it stays where it was put.
+    if (!wasShown || !this.#isHeld) this.#place();
   }
 
   #place(): void {
@@ -162,11 +164,16 @@ export class StuckNotice implements Panel {
 
   #badOf(net: OpenedNet, frame: FrameData): BadCells {
     const isLost = hasLostLengths(frame, net);
-    if (!isLost && this.#isTooLargeToRest) return creasedCells(net, frame, this.#cornerLimit.asked(this.#document!));
-    const bad = isLost || mayBeSharp(frame) ? badCells(net, frame, this.#limit) : NONE_BAD;
     // What a hand holds may yet unfold.
-    const mayBeCrumpled = frame.maxDeviation <= KEPT_DEVIATION && !frame.fellShort && !this.#history?.inGesture;
+    if (!isLost && this.#isTooLargeToRest)
+      return this.#isHeld ? NONE_BAD : creasedCells(net, frame, this.#cornerLimit.asked(this.#document!));
+    const bad = isLost || mayBeSharp(frame) ? badCells(net, frame, this.#limit) : NONE_BAD;
+    const mayBeCrumpled = frame.maxDeviation <= KEPT_DEVIATION && !frame.fellShort && !this.#isHeld;
     return mayBeCrumpled && bad.sharp.size === 0 ? crumpledCells(net, frame) : bad;
+  }
+
+  get #isHeld(): boolean {
+    return this.#history?.inGesture === true;
   }
 
   get #badCells(): number[] {

@@ -31,6 +31,7 @@ export class ConvergencePlot {
   #byTime = false;
   #threshold = 1e-6;
   #stale = false;
+  #isSeen = false;
   #resting = 0;
 
   constructor() {
@@ -44,6 +45,8 @@ export class ConvergencePlot {
     });
     this.element.append(row, this.#host);
     new ResizeObserver(() => this.#fit()).observe(this.#host);
+    // Asked at each iteration, the page would lay itself out in the middle of a drag.
+    new IntersectionObserver((entries) => this.#see(entries.at(-1)!.isIntersecting)).observe(this.#host);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#plot?.redraw());
   }
 
@@ -73,12 +76,13 @@ export class ConvergencePlot {
 
   /** Draws what has been added since, if the plot is visible. */
   refresh(): void {
-    if (this.#stale && this.#isSeen()) this.#draw();
+    if (this.#stale && this.#isSeen) this.#draw();
   }
 
-  /** What a closed section holds may have a size all the same: browsers lay it out to search in it. */
-  #isSeen(): boolean {
-    return this.#host.checkVisibility() && this.#host.clientWidth > 0;
+  #see(isSeen: boolean): void {
+    this.#isSeen = isSeen;
+    this.#fit();
+    this.refresh();
   }
 
   #rest(): void {
@@ -95,14 +99,14 @@ export class ConvergencePlot {
   }
 
   #fit(): void {
-    if (!this.#wanted || !this.#isSeen()) return;
+    if (!this.#wanted || !this.#isSeen) return;
     if (this.#plot) this.#plot.setSize({ width: this.#host.clientWidth, height: HEIGHT });
     else void this.#begin();
   }
 
   async #begin(): Promise<void> {
     const Plot = await loadPlots(this.#host);
-    if (Plot === null || !this.#isSeen() || this.#plot) return;
+    if (Plot === null || !this.#isSeen || this.#plot) return;
     this.#host.replaceChildren();
     this.#plot = new Plot(this.#options(this.#host.clientWidth), [this.#curve.x, this.#curve.y], this.#host);
   }
