@@ -11,6 +11,9 @@ namespace {
 
 // A projection is worth no more precision than what it leaves of the error: it is a Newton step.
 constexpr LengthProjection::Accuracy k_of_projection{.tolerance = 3e-2};
+// A solve takes so many iterations with a factor of the system itself. A factor takes as long as four iterations, or
+// five: once as many more have been taken for its age, a new one has paid.
+constexpr int k_iterations_of_new_factor = 2, k_iterations_lost_by_old_factor = 6;
 
 }  // namespace
 
@@ -45,7 +48,8 @@ bool LengthProjection::solve(const Eigen::VectorXd& rhs, const Accuracy& accurac
 
 /// Without a guess: from zero.
 bool LengthProjection::solve_from(const Eigen::VectorXd* guess, const Accuracy& accuracy) {
-    if (m_system.has_factor() && solve_by_conjugate_gradients(guess, accuracy)) return true;
+    const bool is_too_old = m_system.is_factor_old() && m_iterations_lost >= k_iterations_lost_by_old_factor;
+    if (m_system.has_factor() && !is_too_old && solve_by_conjugate_gradients(guess, accuracy)) return true;
     if (!factorize()) return false;
     solve_by_conjugate_gradients(guess, accuracy);
     return m_multipliers.allFinite();
@@ -54,6 +58,7 @@ bool LengthProjection::solve_from(const Eigen::VectorXd* guess, const Accuracy& 
 bool LengthProjection::factorize() {
     Stopwatch watch;
     const bool factored = m_system.factorize();
+    m_iterations_lost = 0;
     m_factorisation_ms = watch.milliseconds();
     return factored;
 }
@@ -72,6 +77,7 @@ bool LengthProjection::solve_by_conjugate_gradients(const Eigen::VectorXd* guess
     if (ordered_dot(m_residual, m_residual) <= enough) return true;  // also where nothing is asked for
     double product = 0;
     for (int k = 0; k < accuracy.iterations; ++k) {
+        if (k >= k_iterations_of_new_factor) ++m_iterations_lost;
         m_system.precondition(m_residual, m_preconditioned);
         const double previous = std::exchange(product, ordered_dot(m_residual, m_preconditioned));
         if (k == 0)

@@ -59,6 +59,7 @@ private:
     LengthSystem m_system;
     Eigen::VectorXd m_rhs, m_multipliers;
     double m_factorisation_ms = 0;
+    int m_iterations_lost = 0;  // to the age of the factor
     Eigen::VectorXd m_residual, m_preconditioned, m_search, m_image;
 };
 

@@ -78,6 +78,7 @@ void LengthSystem::set_free(const std::vector<bool>& is_free, std::span<const Sl
 }
 
 void LengthSystem::assemble(const Positions& positions) {
+    m_is_factor_old = true;
     for (int row = 0; row < row_count(); ++row) {
         const auto& [a, b, distance, unit] = m_rows[row];
         const Eigen::Vector3d d = positions.col(a) - positions.col(b);
@@ -116,6 +117,7 @@ bool LengthSystem::factorize() {
     for (Entry& entry : m_diagonal) entry *= 1 + k_factor_shift;
     m_has_factor = m_factor.factorize(m_diagonal, m_off_diagonal);
     for (Entry& entry : m_diagonal) entry /= 1 + k_factor_shift;
+    m_is_factor_old = false;
     return m_has_factor;
 }
 

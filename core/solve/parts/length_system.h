@@ -61,6 +61,8 @@ public:
     /// False if the system cannot be factored.
     bool factorize();
     bool has_factor() const { return m_has_factor; }
+    /// Whether the system has been assembled since.
+    bool is_factor_old() const { return m_is_factor_old; }
     /// Applies the inverse of the system as it was when it was factored.
     void precondition(const Eigen::VectorXd& from, Eigen::VectorXd& to);
 
@@ -88,7 +90,7 @@ private:
     Eigen::Matrix3Xd m_jacobian;
     Eigen::VectorXd m_errors;
     Cholesky<1, float> m_factor;
-    bool m_has_factor = false;
+    bool m_has_factor = false, m_is_factor_old = false;
     Eigen::VectorXf m_permuted;
 };
 
