@@ -33,6 +33,7 @@ function failure(code, message) {
 /** What a message shows of a bad value. @param {unknown} value */
 function shown(value) {
   if (typeof value === 'string') return JSON.stringify(value.slice(0, 60));
+  if (ArrayBuffer.isView(value)) return `${value.constructor.name.startsWith('Int') ? 'an' : 'a'} ${value.constructor.name}`;
   return typeof value === 'object' && value !== null ? `an ${Array.isArray(value) ? 'array' : 'object'}` : String(value);
 }
 
@@ -783,13 +784,15 @@ function facade(core) {
 export function loaderOf(create) {
   /** @type {Promise<Chebnet> | null} */
   let loading = null;
-  return ({ wasmUrl, wasmBinary }) => {
+  return ({ wasmUrl, wasmBinary } = {}) => {
     loading ??= create({
       ...(wasmUrl === undefined ? {} : { locateFile: () => wasmUrl }),
       ...(wasmBinary === undefined ? {} : { wasmBinary }),
     }).then(facade, (/** @type {unknown} */ reason) => {
       loading = null; // another try may have better luck
-      throw failure('internal', `the WebAssembly module cannot be loaded: ${String(reason)}`);
+      // Node fetches no files, so that its own words lead nowhere.
+      const hint = wasmBinary === undefined && 'process' in globalThis ? '; outside of a browser give its bytes, as wasmBinary' : '';
+      throw failure('internal', `the WebAssembly module cannot be loaded: ${String(reason)}${hint}`);
     });
     return loading;
   };

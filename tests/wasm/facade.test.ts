@@ -1,6 +1,7 @@
 /** What crosses the border: lengths of arrays, tables, errors, memory. */
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { Editor, Handle, VertexLists } from '../../wasm/chebnet';
+import { loaderOf } from '../../wasm/facade.js';
 import { failure, firstEdit, load } from './load';
 
 /** The memories of the modules made; there is one. */
@@ -387,3 +388,21 @@ const square = () => chebnet.readMesh(new TextEncoder().encode(SQUARE), 'square.
 function handle(vertex: number, target: Handle['target'] = [0, 0, 0]): Handle {
   return { vertex, target };
 }
+
+test('what is wrong is told by its kind', () => {
+  const positions = Float32Array.from(editor.positions());
+  expect(failure(() => editor.setPositions(positions as never)).message).toMatch(
+    /a Float64Array of \d+ numbers, not a Float32Array$/,
+  );
+  expect(failure(() => chebnet.openObj(new Uint8Array(4) as never)).message).toBe(
+    'an OBJ must be text, not a Uint8Array',
+  );
+});
+
+test('a module that is not found says what Node wants', async () => {
+  const load = loaderOf(() => Promise.reject(new TypeError('fetch failed')));
+  const said = { code: 'internal', message: expect.stringMatching(/fetch failed.*wasmBinary/) };
+  await expect(load({})).rejects.toMatchObject(said);
+  await expect(load(undefined as never)).rejects.toMatchObject(said);
+  await expect(load({ wasmBinary: new Uint8Array() })).rejects.not.toThrow(/wasmBinary/);
+});
