@@ -895,5 +895,5 @@ export interface Chebnet extends Editors {
   equalizer(mesh: Mesh, options?: EqualizeOptions): Equalizer;
 }
 
-/** Loads the module once. In the browser give `wasmUrl`; elsewhere `wasmBinary`. */
+/** Loads the module once. In the browser give `wasmUrl`, where build/wasm/chebnet_core.wasm is; elsewhere its bytes, `wasmBinary`. */
 export function loadChebnet(source: { wasmUrl?: string; wasmBinary?: ArrayBuffer | Uint8Array }): Promise<Chebnet>;
