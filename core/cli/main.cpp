@@ -4,13 +4,30 @@
 #include <exception>
 #include <iostream>
 #include <string>
+#include <vector>
 
+#include "base/error.h"
+#include "base/text.h"
 #include "command.h"
 #include "io/format.h"
 
 namespace {
 
 using namespace chebnet;
+
+/// CLI11 names what it did not expect from the last to the first, and a misspelt subcommand among it.
+std::string unexpected(const CLI::App& program) {
+    const std::vector<std::string> all = program.remaining(true);
+    if (program.get_subcommands().empty() && !all.empty() && !all[0].starts_with('-')) {
+        std::string known;
+        for (const CLI::App* command : program.get_subcommands({}))
+            known.append(known.empty() ? "" : ", ").append(command->get_name());
+        return "there is no subcommand " + chebnet::quoted(all[0]) + "; known are " + known;
+    }
+    std::string list;
+    for (const std::string& argument : all) list.append(" ").append(argument);
+    return "not expected:" + list + " (see chebnet --help)";
+}
 
 int run(int argc, char** argv) {
     CLI::App program("Editor for discrete Chebyshev nets: nets of edges that keep their length.", "chebnet");
@@ -28,6 +45,8 @@ int run(int argc, char** argv) {
         program.parse(argc, argv);
     } catch (const CLI::Success& help_or_version) {
         return program.exit(help_or_version);
+    } catch (const CLI::ExtrasError&) {
+        throw Error(ErrorCode::bad_option, unexpected(program));
     }
     for (const Command& command : commands)
         if (command.arguments->parsed()) return command.run();

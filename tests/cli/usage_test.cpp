@@ -39,7 +39,9 @@ TEST_CASE("bad usage is refused with one line") {
     const std::string solve = "solve " + k_recipe + " --edit pull.json ";
     const std::string drag = "drag " + k_recipe + " --edit pull.json ";
     check_refused(box.run(""), "subcommand");
-    check_refused(box.run("fold"), "fold");
+    check_refused(box.run("slove dome"), R"(there is no subcommand "slove"; known are info, make,)");
+    check_refused(box.run("--colour red"), "--colour");
+    check_refused(box.run("info a.obj b.obj c.obj"), "not expected: b.obj c.obj");
     check_refused(box.run("info"), "NET");
     check_refused(box.run("info a.obj b.obj"), "b.obj");
     check_refused(box.run("make"), "RECIPE");
