@@ -1,11 +1,13 @@
 #include "surface_argument.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <numbers>
 
 #include "base/angle.h"
 #include "base/error.h"
 #include "io/format.h"
+#include "io/mesh_file.h"
 #include "net_argument.h"
 #include "surface/gallery.h"
 
@@ -46,7 +48,9 @@ Surface load_surface(const SurfaceArgument& argument) {
 std::shared_ptr<const Guide> load_guide(const std::string& name, bool repair) {
     const auto is_own = [&](const OwnSurface& own) { return own.name == name; };
     const bool own = std::ranges::any_of(own_surfaces(), is_own);
-    return std::make_shared<const Guide>(own ? make_own_surface(name) : load_surface(name, repair));
+    // What is no file by its name was meant as one of ours, which are told then.
+    const bool is_file = has_mesh_extension(name) || std::filesystem::exists(name);
+    return std::make_shared<const Guide>(own || !is_file ? make_own_surface(name) : load_surface(name, repair));
 }
 
 std::string name_of(const SurfaceArgument& argument) { return argument.own.empty() ? argument.file : argument.own; }

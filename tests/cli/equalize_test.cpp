@@ -148,6 +148,8 @@ TEST_CASE("equalize comes near a guide, which is a file or one of ours") {
 
     CHECK(box.run("equalize raw.obj --guide hypar").json().contains("mean_distance_in_lengths"));
     check_refused(box.run("equalize raw.obj --guide nothing.obj"), "nothing.obj");
+    check_refused(box.run("equalize raw.obj --guide hyper"),
+                  R"(no surface is called "hyper"; known are shell, hypar,)");
 }
 
 TEST_CASE("equalize says what stands in the way") {
