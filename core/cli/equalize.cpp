@@ -131,6 +131,16 @@ void tell_unequal(const EqualizeArguments& arguments, const Equalizer& equalizer
     std::cerr << "chebnet: " << what_failed(equalizer, equalized) << way_out << '\n';
 }
 
+/// From half an edge on the net covers the surface no longer, as DrapeReport has it.
+void tell_far(const EqualizeArguments& arguments, const EqualizeReport& equalized) {
+    if (!equalized.distance || equalized.distance->mean <= 0.5) return;
+    std::cerr << "chebnet: every edge has its length, but the net is far from the surface, on average "
+              << number_text(equalized.distance->mean, 2) << " edge lengths"
+              << (arguments.handles.empty() ? "; chebnet remesh gives the surface edges of its own"
+                                            : "; another --length, or fewer vertices after --hold, may do")
+              << '\n';
+}
+
 int run_equalize(const EqualizeArguments& arguments) {
     Equalizer equalizer(load_net(arguments.net), options_of(arguments));
     tell_of_cut_net(equalizer.original());
@@ -146,6 +156,7 @@ int run_equalize(const EqualizeArguments& arguments) {
     const Net& original = equalizer.original();
     tell_crumpled(new_folds(original, original.rest_positions(), equalizer.positions()), "the mesh did",
                   smoother_way(arguments, equalized));
+    tell_far(arguments, equalized);
     return k_success;
 }
 

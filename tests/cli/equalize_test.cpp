@@ -107,6 +107,15 @@ TEST_CASE("equalize says that a border has cut a net") {
     CHECK(box.run("equalize whole.obj").err.empty());
 }
 
+TEST_CASE("equalize says that its net is far from the surface, as one of triangles is on a canopy") {
+    const Sandbox box;
+    box.run("make canopy:vertices=600 -o canopy.stl");
+    const Run far = box.run("equalize canopy.stl");
+    CHECK(far.exit_code == 0);
+    CHECK(far.json().at("mean_distance_in_lengths") > 0.5);
+    CHECK_THAT(far.err, Contains("far from the surface") && Contains("chebnet remesh"));
+}
+
 TEST_CASE("equalize takes a length, and vertices to hold") {
     const Sandbox box;
     write_stretched_vault(box, "raw.obj");
