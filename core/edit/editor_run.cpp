@@ -145,7 +145,6 @@ void Editor::end_run(SolveReport& report) {
 /// once they are. The method knows it again, with nothing held straight.
 void Editor::take_back_net(SolveReport& report) {
     if (m_run.begun_in_place.cols() == 0 || max_deviation(*m_net, m_positions) < m_options.threshold) return;
-    if (report.status == Status::non_finite) return;  // which says more
     m_positions = std::move(m_run.begun_in_place);
     m_unit_positions = in_unit(m_positions);
     m_unit_last_net = m_unit_positions;
@@ -153,7 +152,7 @@ void Editor::take_back_net(SolveReport& report) {
     m_taut.clear();
     prepare();
     m_method->start(problem(), m_unit_positions, m_options);
-    if (report.status == Status::max_iterations) return;
+    if (report.status == Status::max_iterations || report.status == Status::non_finite) return;  // which say more
     report.status = corner_limit(*m_net, m_options).is_kept(m_positions) ? Status::exact : Status::stalled;
 }
 

@@ -140,12 +140,36 @@ TEST_CASE("Handles at one place, or on a line, are held there") {
 TEST_CASE("Where numbers fail, the last that were good stay") {
     Editor editor(samples::patch(4, 4));
     editor.set_method(std::make_unique<FailingMethod>(), "failing");
+    editor.set_handles({{{0, editor.positions().col(0) + 0.5 * Eigen::Vector3d::UnitZ()}}});
     CHECK(editor.solve({.iterations = 1}).status == Status::running);
     const Positions good = editor.positions();
     CHECK(good(2, 5) == 0.25);
     const SolveReport report = editor.solve();
     CHECK(report.status == Status::non_finite);
     CHECK(editor.positions() == good);
+}
+
+TEST_CASE("Where numbers fail though no handle was moved, the net of before stays") {
+    Editor editor(samples::patch(4, 4));
+    editor.set_method(std::make_unique<FailingMethod>(), "failing");
+    CHECK(editor.solve({.iterations = 1}).status == Status::running);
+    const SolveReport report = editor.solve();
+    CHECK(report.status == Status::non_finite);
+    CHECK(report.max_deviation < 1e-20);
+    CHECK(editor.positions() == editor.net().rest_positions());
+}
+
+TEST_CASE("A net with an edge beyond all others at rest stays a net") {
+    // Whatever is beside an edge of 1e200 times its length is lost where both are reckoned with.
+    Positions rest = 1.9363e-121 * samples::patch(5, 5, 0).rest_positions();
+    rest(1, 4) = 3e-7;
+    rest(0, 19) = 2e79;
+    rest(2, 8) = 3e19;
+    Editor editor(Net(rest, samples::patch(5, 5).faces(), RestLengths::own));
+    editor.set_initialisation("arap:4");
+    editor.set_handles(samples::handles_at_rest(editor.net(), {8, 20, 18}));
+    editor.solve();
+    CHECK(max_deviation(editor.net(), editor.positions()) < editor.options().threshold);
 }
 
 TEST_CASE("Positions as far as no net can be are refused") {
