@@ -218,6 +218,35 @@ describe('a part of the net', () => {
     await bar().waitFor();
   });
 
+  test.each([
+    [1280, 800],
+    [740, 360],
+  ])('is said to be one beside the arrow at a crown, and over no words, at %i by %i', async (width, height) => {
+    const { page } = visit;
+    await page.setViewportSize({ width, height });
+    await script.open({ recipe: 'dome' });
+    await script.settled();
+    const crown = (await handles()).at(-1)!.vertex;
+    await click(crown);
+    await press('i');
+    await notice().waitFor();
+    await drawn(page);
+    await page.screenshot({ path: join(OUTPUT, 'holding-isolated-crown.png') });
+    const message = (await page.locator('.part-notice .message').boundingBox())!;
+    const at = await script.screenPosition(crown);
+    const arrow = 0.14 * (await page.locator('#view').boundingBox())!.height;
+    const isBeside = at.x + 12 < message.x || at.x - 12 > message.x + message.width;
+    expect(isBeside || at.y - arrow > message.y + message.height).toBe(true);
+    const lines = await page
+      .locator('.title > p')
+      .evaluateAll((all) =>
+        all
+          .filter((line) => line.textContent !== '' && getComputedStyle(line).visibility === 'visible')
+          .map((line) => line.getBoundingClientRect().bottom),
+      );
+    expect(lines.filter((bottom) => bottom > message.y)).toEqual([]);
+  });
+
   test('comes and goes with I, around all that is selected, and does not outlive its net', async () => {
     await click(place);
     await press('i');

@@ -228,6 +228,7 @@ describe.each(SIZES)('%s', (name, viewport, isMobile) => {
       });
       expect(covered).toBeLessThan(0.2);
       expect(await faults(page, '.stuck-notice')).toEqual([]);
+      expect(await overlaps(page, ['.stuck-notice .plain', '.stuck-notice .buttons'])).toEqual([]);
     }
     await notice.getByRole('button', { name: 'Dismiss' }).click();
     await expect.poll(() => notice.innerText()).toBe('');

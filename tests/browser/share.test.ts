@@ -54,6 +54,30 @@ test('a copied link is short, and shows the same scene; at choice it has all pos
   }
 });
 
+test.each([
+  ['sheet', 30, 20],
+  ['saddle', -50, -40],
+] as const)(
+  'a link of a flat %s after one drag is short: it comes to rest again, if not to the last digit',
+  async (shape, dx, dy) => {
+    const sender = await share();
+    const { page, script } = sender;
+    await page.locator(`.gallery [data-shape=${shape}]`).click();
+    await expect.poll(() => page.locator(`.gallery [data-shape=${shape}]`).getAttribute('aria-pressed')).toBe('true');
+    await script.settled();
+    const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+    await dragBy(script, vertex, [dx, dy]);
+    await script.settled();
+    const sent = await script.positions();
+    const link = await copied(sender);
+    expect(link.length).toBeLessThan(500);
+    const receiver = await arrive(link);
+    await receiver.script.settled();
+    const edge = distance(sent.subarray(0, 3), sent.subarray(3, 6));
+    expect(farthest(await receiver.script.positions(), sent)).toBeLessThan(1e-2 * edge);
+  },
+);
+
 test('where the clipboard is closed the link goes into the address bar, but only when it is to be copied', async () => {
   const { page, script } = await arrive();
   await script.open({ recipe: 'vault:vertices=300' });

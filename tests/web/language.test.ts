@@ -1,6 +1,7 @@
 /** Every language says everything, in its own words. */
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
+import { messageOf } from '../../web/src/failure';
 import { en } from '../../web/src/language/en';
 import { dialogs as dialogsInEnglish } from '../../web/src/language/en/dialogs';
 import { experiments as experimentsInEnglish } from '../../web/src/language/en/experiments';
@@ -137,6 +138,43 @@ test('an error of the core keeps what the core says of it', () => {
   expect(en.core.failure('bad_syntax', 'a.obj:3: no number')).toBe('a.obj:3: no number');
   expect(zh.core.failure('bad_syntax', 'a.obj:3: no number')).toMatch(/^\p{Script=Han}+（a\.obj:3: no number）$/u);
   expect(zh.core.failure('a_new_code', 'Something else.')).toBe('Something else.');
+});
+
+function refusalOf(act: () => unknown): string {
+  try {
+    act();
+  } catch (error) {
+    return messageOf(error);
+  }
+  throw new Error('nothing was refused');
+}
+
+test('what the core says of a file that it cannot read is said in Chinese, too', async () => {
+  const core = await load();
+  for (const [name, content] of [
+    ['empty.obj', '# nothing'],
+    ['word.obj', 'v 0 0 0\nv 1 zero 0\n'],
+    ['face.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n'],
+    ['none.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n'],
+    ['flat.obj', 'v 0 0\nf 1 1 1\n'],
+    ['face.off', 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n'],
+    ['short.off', 'OFF\n3 1 0\n0 0 0\n'],
+    ['word.ply', 'ply\nformat ascii 1.0\nnonsense\n'],
+    ['word.stl', 'solid part\nnonsense\n'],
+    ['drawing.obj', '<svg/>'],
+    ['page.obj', '<html>'],
+    ['net.obj', 'PK\x03\x04'],
+    ['text.txt', 'x'],
+    ['edge.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\n'],
+  ] as const) {
+    const said = refusalOf(() => core.openMesh(core.readMesh(new TextEncoder().encode(content), name)));
+    const reason = dialogsInChinese.file.reason(said);
+    expect(reason, said).toMatch(/\p{Script=Han}/u);
+    // Names of files and formats, and what is quoted.
+    expect(reason.replace(/^\S+: |“.*”/g, '')).not.toMatch(/[a-z]{2}/);
+    expect(dialogsInEnglish.file.reason(said)).toBe(said);
+  }
+  expect(dialogsInChinese.file.reason('a.obj: something new')).toBe('a.obj: something new');
 });
 
 test('a finding is told with its examples', () => {

@@ -107,7 +107,13 @@ function makeDefects({ findings, refusal }: FileReport): HTMLElement {
     make('ul', {}, ...rows),
     ...(refusal === null
       ? []
-      : [make('p', {}, dialogWords.file.refused(words.core.failure(refusal.code, refusal.message)))]),
+      : [
+          make(
+            'p',
+            {},
+            dialogWords.file.refused(words.core.failure(refusal.code, dialogWords.file.reason(refusal.message))),
+          ),
+        ]),
   );
 }
 

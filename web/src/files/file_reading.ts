@@ -82,9 +82,9 @@ export class FileReading {
 
 /** What is wrong with the file, and what helps. */
 function sentenceOf({ code, message }: { code: string; message: string }): string {
-  const { unread, wayOut } = dialogWords.file;
+  const { reason, unread, wayOut } = dialogWords.file;
   const { failure, sentence, sentences } = words.core;
-  return sentences([sentence(unread(code) ?? failure(code, message)), wayOut(code)]);
+  return sentences([sentence(unread(code) ?? failure(code, reason(message))), wayOut(code)]);
 }
 
 function unexpected({ type }: FileResponse): Failure {

@@ -8,8 +8,9 @@ import { longestMove } from '../document/longest_move';
 import { decodeScene, encodeEdit } from '../document/share';
 import type { WorkerLike } from '../worker/client';
 
-/** How far a vertex may come out from where it stands, in edge lengths: as far as in a link with positions. */
-const SAME = 1e-4;
+/** How far a vertex may come out from where it stands, in edge lengths: farther than two ways to the same rest end apart,
+ *  and less than is seen: a tenth of a pixel. */
+const SAME = 5e-3;
 /** Milliseconds that a visitor waits for it. */
 const PATIENCE = 8_000;
 

@@ -19,7 +19,7 @@ interface GizmoEvents {
   failed(error: unknown): void;
 }
 
-const loadControls = lazy(() => import('three/addons/controls/TransformControls.js'));
+const loadControls = lazy(() => import('./rings'));
 
 /** Larger for touch. */
 const SIZE = matchMedia('(pointer: coarse)').matches ? 1 : 0.75;
@@ -66,7 +66,7 @@ export class Gizmo {
   }
 
   async #load(): Promise<void> {
-    const { TransformControls, TransformControlsGizmo } = await loadControls();
+    const { thickenRings, TransformControls, TransformControlsGizmo } = await loadControls();
     if (this.#controls || this.#disposed) return;
     const controls = new TransformControls(this.#camera, this.#canvas);
     // A handle itself drags in the view plane; squares for two axes at a time would only cover the net.
@@ -77,6 +77,7 @@ export class Gizmo {
     for (const child of controls.getHelper().children) {
       if (!(child instanceof TransformControlsGizmo)) continue;
       for (const { translate, scale } of [child.gizmo, child.picker]) [translate, scale].forEach(dropBackwardArrows);
+      thickenRings(child.gizmo.rotate);
     }
     this.#listen(controls);
     this.object.add(controls.getHelper());

@@ -85,6 +85,8 @@ export const dialogs = {
     notStarted: 'The file reader could not be started.',
     /** In place of what the file reader says with this code. */
     unread: (_code: string): string | undefined => undefined,
+    /** What the core says is wrong with a file, in the language of the page. */
+    reason: (said: string) => said,
     /** What helps against a failure with this code, in a sentence; empty: nothing is known. */
     wayOut: (code: string) => WAYS_OUT[code] ?? '',
     kind: 'What is it?',

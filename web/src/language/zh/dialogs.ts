@@ -26,6 +26,38 @@ const WAYS_OUT: Record<string, string> = {
   no_faces: '仅有点和线不能构成网：请在制作它的程序中另存为网格。',
 };
 
+/** What the core says of a file, and the same in Chinese; what is not here stays as it is. */
+const REASONS: readonly (readonly [RegExp, string])[] = [
+  [/the net has no faces$/, '其中没有面'],
+  [/"(.*)" is not a number$/, '“$1”不是数'],
+  [/"(.*)" is not the number of a vertex(, counted from 0)?$/, '“$1”不是顶点编号'],
+  [/"(.*)" is not a number of (vertices|faces|elements)$/, '“$1”不是数目'],
+  [/"(.*)" is not a word of text STL$/, '“$1”不是文本 STL 的语句'],
+  [/"(.*)" is not a statement of a PLY header$/, '“$1”不是 PLY 文件头的语句'],
+  [/a face names vertex (\S+), but the (\d+) vertices are counted from 0$/, '面用到顶点 $1，而 $2 个顶点从 0 起编号'],
+  [/a face names vertex (\S+), but (\d+) vertices .*$/, '面用到顶点 $1，而顶点只有 $2 个'],
+  [/a face names vertex 0, but vertices are counted from 1$/, '面用到顶点 0，而顶点从 1 起编号'],
+  [/a vertex needs three coordinates, this one has (\d+)$/, '顶点须有三个坐标，此处只有 $1 个'],
+  [/a face needs at least three vertices, this one has (\d+)$/, '面至少须有三个顶点，此处只有 $1 个'],
+  [/the file ends after (\d+) of the (\d+) (vertices|vertex|faces|face).*$/, '文件在 $2 行中的第 $1 行之后中断'],
+  [/the file ends within a triangle$/, '文件在一个三角形中间中断'],
+  [
+    /this is an? (\S+) (drawing|archive|picture|document|model|scene); meshes are read from (.*) and (\S+)$/,
+    '这是 $1 文件；网格可从 $3 和 $4 读取',
+  ],
+  [/this is a web page; meshes are read from (.*) and (\S+)$/, '这是网页；网格可从 $1 和 $2 读取'],
+  [/this is a text in UTF-16; meshes are read from .*$/, '这是 UTF-16 编码的文本；请以 UTF-8 另存'],
+  [/not a mesh of a format that is read, which are (.*) and (\S+)$/, '不是可读取的网格；可读取的格式为 $1 和 $2'],
+  [/edge (\S+) has (\d+) faces, more than two$/, '边 $1 有 $2 个面'],
+  [/vertex (\d+) has a coordinate that is not finite$/, '顶点 $1 的坐标不是有限数'],
+];
+
+/** The name of the file and the line stand before it. */
+function reason(said: string): string {
+  const found = REASONS.find(([pattern]) => pattern.test(said));
+  return found ? said.replace(...found) : said;
+}
+
 export const dialogs: Widened<typeof en> = {
   projects: {
     title: '我的项目',
@@ -102,6 +134,7 @@ export const dialogs: Widened<typeof en> = {
     tooLarge: (name, megabytes, largest) => `${name} 有 ${megabytes} MB；最多可打开 ${largest} MB 的网。`,
     notStarted: '无法启动文件读取程序。',
     unread: (code) => UNREAD[code],
+    reason,
     wayOut: (code) => WAYS_OUT[code] ?? '',
     kind: '这是什么？',
     net: { text: '一张网', hint: '按原样打开并编辑。' },
