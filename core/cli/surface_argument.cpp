@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <numbers>
+#include <system_error>
 
 #include "base/angle.h"
 #include "base/error.h"
@@ -49,7 +50,8 @@ std::shared_ptr<const Guide> load_guide(const std::string& name, bool repair) {
     const auto is_own = [&](const OwnSurface& own) { return own.name == name; };
     const bool own = std::ranges::any_of(own_surfaces(), is_own);
     // What is no file by its name was meant as one of ours, which are told then.
-    const bool is_file = has_mesh_extension(name) || std::filesystem::exists(name);
+    std::error_code unknown;
+    const bool is_file = has_mesh_extension(name) || std::filesystem::exists(name, unknown) || unknown;
     return std::make_shared<const Guide>(own || !is_file ? make_own_surface(name) : load_surface(name, repair));
 }
 
