@@ -531,7 +531,8 @@ test('a strip that stands as an arch against its weight is found to hang, once i
 
   await visit.page.keyboard.press('Control+z');
   await script.settled();
-  expect(apart(await script.positions(), arch)).toBeLessThan(1e-6);
+  // Solved again, what is at rest moves by a part of what counts as rest.
+  expect(apart(await script.positions(), arch)).toBeLessThan(1e-5);
 });
 
 test('a search for less strain that is stopped leaves net and history as they were', async () => {
