@@ -1,6 +1,7 @@
 /** What crosses the border: lengths of arrays, tables, errors, memory. */
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { Editor, Handle, VertexLists } from '../../wasm/chebnet';
+// @ts-expect-error: it has no declaration of its own, so that it is checked itself.
 import { loaderOf } from '../../wasm/facade.js';
 import { failure, firstEdit, load } from './load';
 
