@@ -11,6 +11,24 @@ using namespace chebnet;
 using Catch::Matchers::Contains;
 using nlohmann::json;
 
+TEST_CASE("make writes an edit at rest, which solve takes, and which moves the net once a target does") {
+    const Sandbox box;
+    CHECK(box.run("make dome:vertices=300 -o dome.obj --edit edit.json").exit_code == 0);
+    Run solved = box.run("solve dome.obj --edit edit.json -o out.obj");
+    CHECK(solved.exit_code == 0);
+    CHECK(solved.json().at("bend") < 1e-6);
+
+    nlohmann::json edit = nlohmann::json::parse(box.read("edit.json"));
+    REQUIRE(edit.at("handles").size() == 5);
+    edit["handles"].back()["target"][2] = edit["handles"].back()["target"][2].get<double>() + 0.5;
+    box.write("edit.json", edit.dump());
+    solved = box.run("solve dome.obj --edit edit.json -o out.obj");
+    CHECK(solved.exit_code == 0);
+    CHECK(solved.json().at("bend") > 1e-3);
+
+    check_refused(box.run("make dome -o dome.obj --edit dome.obj"), "dome.obj");
+}
+
 TEST_CASE("make --list shows every shape with its parameters") {
     const Run run = Sandbox().run("make --list");
     CHECK(run.exit_code == 0);
