@@ -381,6 +381,23 @@ test('what plots is loaded when a plot is seen; if it cannot be, that is said in
   expect((await script.stats()).status).toBe('converged');
 });
 
+test('a browser that calls its language C, which is the name of none, has its plot', async () => {
+  ({ script } = await arrive());
+  const { page } = script;
+  await page.addInitScript(() => {
+    Object.defineProperty(navigator, 'language', { value: 'C' });
+    Object.defineProperty(navigator, 'languages', { value: ['C'] });
+  });
+  await page.reload();
+  await script.waitForNet();
+  expect(await page.evaluate(() => navigator.language)).toBe('C');
+  await allSections(page);
+  await script.open({ recipe: SHAPE });
+  await openForResearch(page, 'Step');
+  await dragBy(script, dragged, [20, 10]);
+  await page.locator('.plot canvas').waitFor();
+});
+
 /** Opens a shape and pulls its last handle. */
 async function edit(recipe: string) {
   await script.open({ recipe });
