@@ -33,7 +33,7 @@ function failure(code, message) {
 /** What a message shows of a bad value. @param {unknown} value */
 function shown(value) {
   if (typeof value === 'string') return JSON.stringify(value.slice(0, 60));
-  if (ArrayBuffer.isView(value)) return `${value.constructor.name.startsWith('Int') ? 'an' : 'a'} ${value.constructor.name}`;
+  if (ArrayBuffer.isView(value)) return value.constructor.name;
   return typeof value === 'object' && value !== null ? `an ${Array.isArray(value) ? 'array' : 'object'}` : String(value);
 }
 
@@ -790,9 +790,7 @@ export function loaderOf(create) {
       ...(wasmBinary === undefined ? {} : { wasmBinary }),
     }).then(facade, (/** @type {unknown} */ reason) => {
       loading = null; // another try may have better luck
-      // Node fetches no files, so that its own words lead nowhere.
-      const hint = wasmBinary === undefined && 'process' in globalThis ? '; outside of a browser give its bytes, as wasmBinary' : '';
-      throw failure('internal', `the WebAssembly module cannot be loaded: ${String(reason)}${hint}`);
+      throw failure('internal', `the WebAssembly module cannot be loaded: ${String(reason)}`);
     });
     return loading;
   };
