@@ -7,11 +7,9 @@ import { canShow, type Comparison, newRun, type RunPlan, startLength } from '../
 import { styleOf } from '../../web/src/comparison/results';
 import { freshScene } from '../../web/src/document/defaults';
 import type { View, ViewEvents } from '../../web/src/view/view';
-import type { WorkerLike } from '../../web/src/worker/client';
-import type { FrameData, OpenedNet, Request, Response } from '../../web/src/worker/protocol';
-import { Search } from '../../web/src/worker/search';
-import { Server } from '../../web/src/worker/server';
+import type { FrameData, OpenedNet } from '../../web/src/worker/protocol';
 import { load } from '../wasm/load';
+import { FakeWorker } from './fake_worker';
 
 const core = await load();
 const recipe = 'vault:vertices=300';
@@ -31,31 +29,6 @@ const plan = (method: string, change: Partial<RunPlan['scene']> = {}): RunPlan =
 });
 const plans = (...methods: string[]): RunPlan[] => methods.map((method) => plan(method));
 
-class FakeWorker implements WorkerLike {
-  onmessage: WorkerLike['onmessage'] = null;
-  onerror: WorkerLike['onerror'] = null;
-  onmessageerror: WorkerLike['onmessageerror'] = null;
-  terminated = false;
-  readonly #server = new Server(core, {
-    post: (response) => this.#later(() => this.onmessage?.({ data: response } as MessageEvent<Response>)),
-    soon: (task) => this.#later(task),
-    now: () => performance.now(),
-    wholeCore: () => Promise.resolve({ core, Search }),
-  });
-
-  postMessage(request: Request): void {
-    this.#later(() => this.#server.handle(request));
-  }
-
-  terminate(): void {
-    this.terminated = true;
-  }
-
-  #later(task: () => void): void {
-    setTimeout(() => this.terminated || task());
-  }
-}
-
 let workers: FakeWorker[];
 let seen: Comparison | null;
 let comparer: Comparer;
@@ -66,7 +39,7 @@ beforeEach(() => {
   seen = null;
   changed = () => {};
   const spawn = () => {
-    const worker = new FakeWorker();
+    const worker = new FakeWorker(core);
     workers.push(worker);
     return worker;
   };

@@ -7,9 +7,9 @@ import { experimentLink, experimentScene, isExperimentLink } from '../../web/src
 import { variationsOf } from '../../web/src/experiments/variations';
 import type { Scene } from '../../web/src/document/document';
 import type { FrameData, Request, Response } from '../../web/src/worker/protocol';
-import { Search } from '../../web/src/worker/search';
 import { Server } from '../../web/src/worker/server';
 import { load } from '../wasm/load';
+import { wholeCoreOf } from './whole_core_of';
 
 /** All links that versions before the figures made: how many variants each experiment had. */
 const FORMER = {
@@ -50,7 +50,7 @@ function open(scene: Omit<Scene, 'view'>): FrameData {
     post: (response: Response) => said.push(response),
     soon: () => {},
     now: () => 0,
-    wholeCore: () => Promise.resolve({ core, Search }),
+    wholeCore: () => Promise.resolve(wholeCoreOf(core)),
   };
   new Server(core, host).handle({ id: 1, type: 'open', scene } satisfies Request);
   const opened = said.find((each) => each.type === 'opened');

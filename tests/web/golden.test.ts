@@ -28,6 +28,8 @@ import { openPage } from './page_without_pictures';
 const TODAY = `v${VERSION}`;
 /** Rest positions are computed: another compiler may round them otherwise. */
 const ROUNDING = 1e-12;
+/** A net that is solved again comes so near to where it rested, in units of nets whose edges have a length of about 1. */
+const AT_REST = 1e-3;
 
 const core = await load();
 if (isMaking) await makeGoldens(core, TODAY);
@@ -36,26 +38,29 @@ describe('a link opens', () => {
   test.each(goldens('link'))('$name', async ({ text, expected }) => {
     const { document, deviations } = expected as ExpectedLink;
     const scene = await sceneOf(text);
-    const { app } = await openPage(core);
+    const { app, solve } = await openPage(core);
     await app.openScene(scene);
+    // What the drag comes through may change with the solver; where it comes to rest does not.
+    if (scene.replay) await solve();
     const { document: opened, net, frame } = app.opening!;
 
     // The first version did not say how a net is numbered.
     expect(withoutPlaces(withText(opened))).toEqual({ numbering: opened.numbering, ...withoutPlaces(document) });
     const shortest = edgeLengths(net.restPositions, net.edges).reduce((least, length) => Math.min(least, length));
+    const rounding = scene.replay ? AT_REST : ROUNDING;
     expect(largestDistance(frame.positions, document.positions)).toBeLessThanOrEqual(
-      scene.positions === null ? ROUNDING : 1e-4 * shortest,
+      scene.positions === null ? rounding : 1e-4 * shortest,
     );
     for (const [i, { target }] of document.handles.entries()) {
-      if (seedOf(scene, i) !== null) expect(opened.handles[i]!.target).toEqual(target);
+      if (seedOf(scene, i) !== null && !scene.replay) expect(opened.handles[i]!.target).toEqual(target);
       else
         expect(
           largestDistance(Float64Array.from(opened.handles[i]!.target), Float64Array.from(target)),
-        ).toBeLessThanOrEqual(ROUNDING);
+        ).toBeLessThanOrEqual(rounding);
     }
     expect(frame.fields.deviation).toHaveLength(deviations.length);
     for (const [e, dl] of deviations.entries())
-      expect(Math.abs(frame.fields.deviation[e]! - dl)).toBeLessThanOrEqual(1e-5 * dl + ROUNDING);
+      expect(Math.abs(frame.fields.deviation[e]! - dl)).toBeLessThanOrEqual(1e-5 * dl + rounding);
   });
 });
 

@@ -1,9 +1,11 @@
 /** Makes the golden files of this day's page that are not there yet. Those that are there stay: they are what visitors have. */
 import type { Chebnet } from '../../wasm/chebnet';
-import type { SolverSettings } from '../../web/src/document/document';
+import { whereDragged } from '../../web/src/app/state';
+import type { Replay, SolverSettings, Vec3 } from '../../web/src/document/document';
 import type { ChangeName } from '../../web/src/document/naming';
 import { projectText, writeProject } from '../../web/src/document/project';
 import type { Project } from '../../web/src/document/project';
+import { encodeEdit } from '../../web/src/document/share';
 import { hashOf, sceneOf } from '../../web/src/projects/link';
 import { freshScene } from '../../web/src/document/defaults';
 import { isMade, keptText, projectWithText, withText, writeGolden } from './golden_files';
@@ -39,35 +41,42 @@ export function missingGoldens(core: Chebnet, folder: string): string[] {
 
 async function makeLink(
   core: Chebnet,
-  { scene, drag, unsolved, largest }: GoldenLink,
+  { scene, drag, unsolved, replay, largest }: GoldenLink,
 ): Promise<{ text: string; expected: ExpectedLink }> {
   const page = await openPage(core);
   await page.app.openScene(scene);
   if (!unsolved) await page.solve();
-  if (drag) await dragLast(page, drag);
+  if (drag) await dragLast(page, drag, replay !== undefined);
   const document = withText(page.app.toShare()!.document);
-  const shared = hashOf(page.app, largest);
+  const shared = replay ? { hash: hashWithDrag(page, replay), positions: false } : hashOf(page.app, largest);
   if (shared.hash === null) throw new Error('too large for a link');
   const opened = await openPage(core);
   await opened.app.openScene(await sceneOf(shared.hash));
+  if (replay) await opened.solve();
   const { document: again, frame } = opened.app.opening!;
   // A net that was packed, and handles that rest on it, are a little elsewhere.
   const known = { ...document, net: withText(again).net, handles: again.handles };
   const expected = shared.positions
     ? { ...known, positions: document.positions! }
-    : { ...known, positions: frame.positions, settled: false };
+    : { ...known, positions: frame.positions, settled: replay !== undefined };
   return {
     text: shared.hash,
     expected: { document: expected, deviations: Array.from(frame.fields.deviation, (x) => Number(x.toPrecision(6))) },
   };
 }
 
-async function dragLast(page: Page, [dx, dy, dz]: [number, number, number]): Promise<void> {
+function hashWithDrag({ app }: Page, replay: Replay): string {
+  const { document, net } = app.toShare()!;
+  const handles = document.handles.map((handle) => ({ ...handle, target: whereDragged(handle.target) }));
+  return encodeEdit({ ...document, net: document.net as { recipe: string }, handles }, net, replay);
+}
+
+async function dragLast(page: Page, [dx, dy, dz]: Vec3, inHand = false): Promise<void> {
   const {
     vertex,
     target: [x, y, z],
   } = page.app.opening!.document.handles.at(-1)!;
-  await page.app.handles.move([{ vertex, target: [x + dx, y + dy, z + dz] }], 'drag');
+  await page.app.handles.move([{ vertex, target: [x + dx, y + dy, z + dz] }], 'drag', inHand);
   await page.solve();
 }
 

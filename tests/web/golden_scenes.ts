@@ -5,6 +5,7 @@ import { DEFAULT_VIEW, freshScene } from '../../web/src/document/defaults';
 import type {
   HandleSeed,
   NetSource,
+  Replay,
   Scene,
   Section,
   Symmetry,
@@ -25,6 +26,8 @@ export interface GoldenLink {
   drag?: Vec3;
   /** It is shared before it is solved. */
   unsolved?: true;
+  /** It is shared without its positions, with this drag to be made again. */
+  replay?: Replay;
   /** Characters of the longest link allowed. */
   largest?: number;
 }
@@ -68,7 +71,8 @@ const SLIDES: Record<AxesToSlide, GoldenLink> = {
   yz: sliding('yz'),
 };
 
-const EVERYTHING: Whole<Omit<Scene, 'handles' | 'positions'>> = {
+/** But for drags made again, which stand in place of positions, and of which nothing is left once a scene is open. */
+const EVERYTHING: Whole<Omit<Scene, 'handles' | 'positions' | 'replay'>> = {
   net: { recipe: VAULT },
   numbering: 0x2fe61a83,
   symmetry: { axis: 'y', through: 'centre' },
@@ -250,6 +254,7 @@ export function goldenLinks(core: Chebnet): Record<string, GoldenLink> {
       drag: SCREW,
     },
     'out-of-reach': { scene: freshScene({ recipe: 'jack:vertices=120' }), drag: [0, 0, 50] },
+    'drag-made-again': { scene: freshScene({ recipe: 'wave:vertices=120' }), drag: [0, 0, -9], replay: [10, 3] },
     'without-its-positions': { scene: freshScene({ recipe: 'dome:vertices=120' }), drag: SCREW, largest: 400 },
   };
 }

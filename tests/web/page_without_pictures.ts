@@ -6,8 +6,8 @@ import type { AppParts, AppServices } from '../../web/src/app/app';
 import type { PanelEvents } from '../../web/src/panels';
 import type { WorkerLike } from '../../web/src/worker/client';
 import type { Request, Response } from '../../web/src/worker/protocol';
-import { Search } from '../../web/src/worker/search';
 import { Server } from '../../web/src/worker/server';
+import { wholeCoreOf } from './whole_core_of';
 
 export interface Page {
   app: App;
@@ -74,7 +74,7 @@ class WorkerHere implements WorkerLike {
       post,
       soon,
       now: () => 0,
-      wholeCore: () => Promise.resolve({ core: whole, Search }),
+      wholeCore: () => Promise.resolve(wholeCoreOf(whole)),
     });
   }
 

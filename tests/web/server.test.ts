@@ -8,9 +8,9 @@ import { packPositions } from '../../web/src/document/packing';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { PROTOCOL_VERSION } from '../../web/src/worker/protocol';
 import type { FrameData, Request, Response } from '../../web/src/worker/protocol';
-import { Search } from '../../web/src/worker/search';
 import { Server } from '../../web/src/worker/server';
 import { largestDistance, load } from '../wasm/load';
+import { wholeCoreOf } from './whole_core_of';
 
 type Body<T = Request> = T extends unknown ? Omit<T, 'id'> : never;
 
@@ -33,7 +33,7 @@ const wholeCoreIsThere = () => new Promise((next) => setTimeout(next));
 const host = {
   soon: (task: () => void) => tasks.push(task),
   now: () => time,
-  wholeCore: () => Promise.resolve({ core, Search }),
+  wholeCore: () => Promise.resolve(wholeCoreOf(core)),
 };
 
 beforeEach(() => {

@@ -252,6 +252,27 @@ describe('hostile links are refused', () => {
   const bad = (text: string) =>
     expect(failureOf(text)).toMatchObject({ code: 'bad_link', message: expect.stringMatching(/link/) });
 
+  test('with drags that are to be made again in steps beyond count, or in none', () => {
+    const withReplay = (replay: unknown) => hashOfJson(JSON.stringify({ ...valid, numbering: 1, replay }), 6);
+    expect(decodeScene(withReplay([10, 3])).replay).toEqual([10, 3]);
+    for (const replay of [
+      [],
+      [10],
+      [0, 3],
+      [10, 0],
+      [21, 3],
+      [10, 21],
+      [10, 3, 1],
+      [1.5, 3],
+      [-1, 3],
+      ['10', 3],
+      10,
+      {},
+      null,
+    ])
+      bad(withReplay(replay));
+  });
+
   test('not this one, made before links had an initialisation, ends of colours, an up axis, a symmetry, a locality, and names of handles', () => {
     const scene = decodeScene(hashOfJson(JSON.stringify(valid)));
     expect(scene).toMatchObject({ net: { recipe: 'vault' }, initialisation: 'naive' });
@@ -284,7 +305,7 @@ describe('hostile links are refused', () => {
     '#',
     '#nonsense',
     '#%E0%A4%A',
-    '#v6=AAAA',
+    '#v7=AAAA',
     '#v0=AAAA',
     '#v01=',
     '#v1',

@@ -2,11 +2,13 @@
 import { beforeEach, expect, test } from 'vitest';
 import type { Editors } from '../../wasm/chebnet';
 import { freshScene } from '../../web/src/document/defaults';
+import type { HandleSeed, Vec3 } from '../../web/src/document/document';
+import { pointOf } from '../../web/src/net/point_of';
 import type { Request, Response } from '../../web/src/worker/protocol';
-import { Search } from '../../web/src/worker/search';
 import type { WholeCore } from '../../web/src/worker/whole_core';
 import { Server } from '../../web/src/worker/server';
 import { load, loadFirst } from '../wasm/load';
+import { wholeCoreOf } from './whole_core_of';
 
 type Body<T = Request> = T extends unknown ? Omit<T, 'id'> : never;
 
@@ -48,7 +50,7 @@ function newServer(core: Editors): Server {
   const wholeCore = () => {
     wanted += 1;
     return new Promise<WholeCore>((resolve, reject) => {
-      arrive = (core) => resolve({ core, Search });
+      arrive = (core) => resolve(wholeCoreOf(core));
       fail = reject;
     });
   };
@@ -89,6 +91,29 @@ test('a relaxed shape opens with it', async () => {
   arrive(whole);
   await turn();
   expect(said).toContainEqual(expect.objectContaining({ id, type: 'opened' }));
+});
+
+test('a link whose drag is made again opens with it: taut, short of where the hand was', async () => {
+  const handles = Array.from(
+    reference.suggestedHandles,
+    (vertex): HandleSeed => ({ vertex, target: null, anchor: true }),
+  );
+  const far: Vec3 = [x, y, z + 9];
+  const seeds = [...handles.slice(0, -1), { vertex: dragged, target: far, anchor: false }];
+  const id = ask({ type: 'open', scene: { ...freshScene({ recipe }), handles: seeds, replay: [10, 3] } });
+  expect(wanted).toBe(1);
+  arrive(whole);
+  await turn();
+  const opened = said.find((response) => response.type === 'opened' && response.id === id);
+  expect(opened).toMatchObject({ frame: { holdsBack: true } });
+  solve();
+  const { handles: stand, positions, maxDeviation } = settled().frame;
+  expect(maxDeviation).toBeLessThan(1e-6);
+  expect(stand.at(-1)).toEqual({ vertex: dragged, target: pointOf(positions, dragged) });
+  expect(pointOf(positions, dragged)[2]).toBeGreaterThan(z + 0.5);
+  expect(pointOf(positions, dragged)[2]).toBeLessThan(far[2] - 1);
+  for (const { vertex } of handles.slice(0, -1))
+    expect(pointOf(positions, vertex)).toEqual(pointOf(reference.restPositions, vertex));
 });
 
 test('another method moves the net over as it stands, and is answered before what came after it', async () => {

@@ -23,6 +23,7 @@ import { DragGuide } from '../handles/drag_guide';
 import { HandleEditor } from '../handles/handle_editor';
 import { words } from '../language/language';
 import { lazy } from '../lazy';
+import { pointOf } from '../net/point_of';
 import type { Action, PanelEvents } from '../panels';
 import type { Side } from '../view/camera_fit';
 import type { Film, ViewEvents } from '../view/view';
@@ -424,10 +425,7 @@ export class App {
     const before = this.#before();
     if (this.opening === null) return;
     const { restPositions } = this.opening.net;
-    const atRest = (handle: HandleData): HandleData => {
-      const [x = 0, y = 0, z = 0] = restPositions.subarray(3 * handle.vertex, 3 * handle.vertex + 3);
-      return { ...handle, target: [x, y, z] };
-    };
+    const atRest = (handle: HandleData): HandleData => ({ ...handle, target: pointOf(restPositions, handle.vertex) });
     const { method, initialisation } = before;
     const options = asMade(given ? this.#unusual(given) : before.options);
     this.#state.history.record(before, ['reset']);

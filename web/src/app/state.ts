@@ -19,6 +19,14 @@ interface StateEvents {
   handles(): void;
 }
 
+/** Where handles were dragged to that stand elsewhere, as no net leads there, by the targets they have instead. */
+const draggedTo = new WeakMap<Vec3, Vec3>();
+
+/** Where a hand dragged a handle that has this target. */
+export function whereDragged(target: Vec3): Vec3 {
+  return draggedTo.get(target) ?? target;
+}
+
 /** Something was asked of the net that is open. */
 export function noNet(): Failure {
   return new Failure('no_net', words.opening.none);
@@ -65,11 +73,18 @@ export class State {
     const handles = frame.handles.map(({ vertex, target }, i) =>
       scene.handles === 'suggested'
         ? { vertex, target, anchor: i < last }
-        : { anchor: false, ...scene.handles[i], vertex, target },
+        : { anchor: false, ...scene.handles[i], vertex, target: scene.handles[i]?.target ?? target },
     );
     const source = withArrays(scene.net, net);
     this.history.replaceNet(scene.net, source);
-    const document = { ...scene, net: source, numbering: net.numbering, handles, positions: frame.positions };
+    const document = {
+      ...scene,
+      net: source,
+      numbering: net.numbering,
+      handles: whereTheyStand(handles, frame),
+      positions: frame.positions,
+      replay: undefined,
+    };
     this.#set({ net, frame, document });
   }
 
@@ -140,7 +155,9 @@ function whereTheySlide(handles: HandleData[], frame: FrameData): HandleData[] {
 function withTargets(handles: HandleData[], targetOf: (handle: HandleData) => Vec3): HandleData[] {
   const moved = handles.map((handle) => {
     const target = targetOf(handle);
-    return target.every((x, i) => x === handle.target[i]) ? handle : { ...handle, target };
+    if (target.every((x, i) => x === handle.target[i])) return handle;
+    draggedTo.set(target, whereDragged(handle.target));
+    return { ...handle, target };
   });
   return moved.some((handle, i) => handle !== handles[i]) ? moved : handles;
 }

@@ -10,8 +10,10 @@ import './dialog.css';
 import './share_dialog.css';
 
 export interface ShareLink {
-  /** `solved`: without positions, for which whoever opens it solves; they come out the same. */
-  kind: 'solved' | 'exact';
+  /** `solved`: without positions, for which whoever opens it solves; they come out the same. `near`: they do not. */
+  kind: 'solved' | 'near' | 'exact';
+  /** Of a `near` one: how far a vertex comes out from where it stands, at most, in edge lengths. */
+  aside?: number;
   link: string;
   /** The same for a frame in another page. */
   embedded: string;
@@ -22,8 +24,8 @@ export interface ShareLink {
 }
 
 export interface ShareParts {
-  /** To choose from; the first is copied. Nobody waits for them any more when `closed` is aborted. */
-  links(closed: AbortSignal): Promise<ShareLink[]>;
+  /** To choose from; the first is copied. Once `unwanted` is aborted nobody waits for more than there is at once. */
+  links(unwanted: AbortSignal): Promise<ShareLink[]>;
   /** Copies a link, as the visitor has `asked` or by itself, and says how that went. */
   copyLink(link: ShareLink, asked: boolean): Promise<string>;
 }
@@ -40,10 +42,12 @@ export class ShareDialog {
     spellcheck: 'false',
   });
   readonly #copyLink: ShareParts['copyLink'];
+  readonly #dontWait = makeButton(panelWords.share.dontWait, () => this.#unwanted.abort(), { autofocus: true });
   /** Until there is a link there is nothing to copy. */
   readonly #again = makeButton(panelWords.share.copy, () => this.#copy(true), { class: 'primary', disabled: true });
   readonly #embed = makeButton(panelWords.share.copyEmbed, () => this.#copySnippet(), { disabled: true });
-  readonly #closed = new AbortController();
+  readonly #unwanted = new AbortController();
+  #isClosed = false;
   #chosen: ShareLink | null = null;
 
   constructor(root: HTMLElement, { links, copyLink }: ShareParts) {
@@ -66,30 +70,32 @@ export class ShareDialog {
       make(
         'div',
         { class: 'buttons' },
+        this.#dontWait,
         this.#again,
-        // It has the focus until there is a link: the code for a page would have it, still empty.
-        makeButton(panelWords.share.close, () => this.#dialog.close(), { autofocus: true }),
+        makeButton(panelWords.share.close, () => this.#dialog.close()),
       ),
     );
     // The page's shortcuts are off while the dialog is open.
     this.#dialog.addEventListener('keydown', (event) => event.stopPropagation());
     this.#dialog.addEventListener('close', () => {
-      this.#closed.abort();
+      this.#isClosed = true;
+      this.#unwanted.abort();
       this.#dialog.remove();
     });
     root.append(this.#dialog);
     this.#dialog.showModal();
-    links(this.#closed.signal)
+    links(this.#unwanted.signal)
       .then((all) => this.#offer(all))
       .catch((error: unknown) => setText(this.#said, messageOf(error)));
   }
 
   #offer(links: ShareLink[]): void {
     // By now the clipboard may hold something else.
-    if (this.#closed.signal.aborted) return;
+    if (this.#isClosed) return;
     const chosen = links[0]!;
     this.#choice.append(...links.map((link) => this.#option(link, link === chosen)));
     this.#choice.hidden = links.length < 2;
+    this.#dontWait.hidden = true;
     for (const button of [this.#again, this.#embed]) button.disabled = false;
     this.#again.focus();
     this.#choose(chosen);
@@ -100,7 +106,8 @@ export class ShareDialog {
     radio.addEventListener('change', () => this.#choose(link));
     const { label, about } = panelWords.share[link.kind];
     const size = link.link.length.toLocaleString(words.locale);
-    return make('label', {}, radio, make('span', {}, label, make('small', {}, about(size))));
+    const aside = (link.aside ?? 0).toLocaleString(words.locale, { maximumSignificantDigits: 1 });
+    return make('label', {}, radio, make('span', {}, label, make('small', {}, about(size, aside))));
   }
 
   #choose(link: ShareLink): void {

@@ -180,6 +180,9 @@ export function lookOf({ view, options }: Pick<ChebnetDocument, 'view' | 'option
   return typeof limit === 'number' ? { ...view, cornerLimit: limit } : view;
 }
 
+/** Drags made again: in so many equal steps, with so many iterations after each. */
+export type Replay = readonly [steps: number, iterations: number];
+
 /** What can be opened: a document whose handles and positions may still be where the net has them. */
 export interface Scene extends SolverSettings, ExperimentPart {
   net: NetSource;
@@ -194,6 +197,9 @@ export interface Scene extends SolverSettings, ExperimentPart {
   view: ViewState;
   /** null: the rest positions. */
   positions: Float64Array | PackedPositions | null;
+  /** Instead of positions: handles are dragged from where they rest to their targets. A net that buckles has several shapes at
+   *  rest, and comes to this one so. */
+  replay?: Replay | undefined;
   /** The positions are final and stay untouched; else the net is solved on from them. */
   settled: boolean;
   /** Of a settled net; what the net itself shows goes before. */

@@ -8,12 +8,13 @@ import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 import { readingWords } from '../language/reading';
 import { fromBase64, toBase64 } from './base64';
 import { netAsText, readFileTraits, writeHandle, writeState, writeView } from './codec';
-import type { ChebnetDocument, DocumentNet, NetSource, Scene } from './document';
+import type { ChebnetDocument, DocumentNet, NetSource, Replay, Scene } from './document';
 import { packMesh, unpackMesh } from './packed_mesh';
 import { packPositions } from './packing';
 import type { PackingNet } from './packing';
+import { given } from './given';
 import { Untrusted } from './untrusted';
-import { doSlide, readerOf, VERSION, VERSION_WITH_PACKED_NETS, VERSION_WITH_SLIDES } from './versions';
+import * as versions from './versions';
 import type { Reader } from './versions';
 import { Failure } from '../failure';
 
@@ -32,6 +33,8 @@ const LARGEST_CONTENT = 8_000_000;
 const MOST_HANDLES = 100_000;
 /** Vertices of the largest net of a file that goes as text, exact to the last bit; those of more are packed. */
 const MOST_AS_TEXT = 200;
+/** Steps of a drag that is made again, and iterations after each: many more than lead anywhere. */
+const MOST_REPLAYED = 20;
 /** Of packed nets, in mean edge lengths: the first is as good as exact, and the first with which a link is short enough is taken. */
 const PRECISIONS = [1e-7, 1e-6, 1e-5, 1e-4];
 
@@ -56,16 +59,21 @@ export function encodeScene(
   return { hash: null };
 }
 
-/** The hash of a scene of a recipe without its positions: whoever opens it solves for them. */
-export function encodeEdit(document: ChebnetDocument & { net: { recipe: string } }, net: PackingNet): string {
-  return withoutPositions(document, net, plain(document.net));
+/** The hash of a scene of a recipe without its positions: whoever opens it solves for them, after the drags that are to be made
+ *  again, if any. */
+export function encodeEdit(
+  document: ChebnetDocument & { net: { recipe: string } },
+  net: PackingNet,
+  replay?: Replay,
+): string {
+  return withoutPositions({ ...document, ...given({ replay }) }, net, plain(document.net));
 }
 
 /** The scene of a hash (with or without its `#`). Throws a Failure: "bad_link", damaged; "foreign_link", not ours or of another version. */
 export function decodeScene(hash: string): Scene {
   const tag = /^#?v([1-9]\d*)=/.exec(hash);
   if (tag === null) throw new Failure('foreign_link', readingWords.foreign);
-  const reader = readerOf(Number(tag[1]));
+  const reader = versions.readerOf(Number(tag[1]));
   if (reader === undefined) throw new Failure('foreign_link', readingWords.otherVersion);
   const content = inflate(fromUrl(hash.slice(tag[0].length)));
   const headerEnd = 4 + (content.length < 4 ? NaN : new DataView(content.buffer).getUint32(0, true));
@@ -140,12 +148,14 @@ function isAtRest({ positions }: ChebnetDocument, { restPositions }: PackingNet)
   return positions === null || positions.every((x, i) => x === restPositions[i]);
 }
 
-function withoutPositions(document: ChebnetDocument, net: PackingNet, carried: CarriedNet): string {
+type Shown = ChebnetDocument & Pick<Scene, 'replay'>;
+
+function withoutPositions(document: Shown, net: PackingNet, carried: CarriedNet): string {
   return toHash(document, net, carried, false, new Uint8Array());
 }
 
 function toHash(
-  { view, ...state }: ChebnetDocument,
+  { view, ...state }: Shown,
   { restPositions }: PackingNet,
   { head, mesh }: CarriedNet,
   settled: boolean,
@@ -159,8 +169,13 @@ function toHash(
   content.set(json, 4);
   content.set(mesh, 4 + json.length);
   content.set(positions, 4 + json.length + mesh.length);
-  const version = mesh.length > 0 ? VERSION_WITH_PACKED_NETS : doSlide(state.handles) ? VERSION_WITH_SLIDES : VERSION;
-  return `#v${version}=${toUrl(toBase64(deflateSync(content, { level: 9 })))}`;
+  return `#v${versionOf(state, mesh)}=${toUrl(toBase64(deflateSync(content, { level: 9 })))}`;
+}
+
+function versionOf({ replay, handles }: Pick<Shown, 'replay' | 'handles'>, mesh: Uint8Array): number {
+  if (replay !== undefined) return versions.VERSION_WITH_REPLAYS;
+  if (mesh.length > 0) return versions.VERSION_WITH_PACKED_NETS;
+  return versions.doSlide(handles) ? versions.VERSION_WITH_SLIDES : versions.VERSION;
 }
 
 function toUrl(base64: string): string {
@@ -219,10 +234,16 @@ function readScene(reader: Reader, json: Uint8Array, packed: Uint8Array): Scene 
       net: meshEnd > 0 ? readPackedNet(net, packed.subarray(0, meshEnd)) : reader.net(net),
       view: reader.view(head.at('view')),
       positions: packed.length > meshEnd ? { packed: packed.subarray(meshEnd) } : null,
+      ...given({ replay: head.at('replay').maybe(readReplay) }),
     };
   } catch {
     throw damaged();
   }
+}
+
+function readReplay(replay: Untrusted): Replay {
+  const [steps, iterations, ...more] = replay.list().map((each) => each.index(MOST_REPLAYED + 1));
+  return steps && iterations && more.length === 0 ? [steps, iterations] : replay.fail(readingWords.damaged);
 }
 
 function readPackedNet(net: Untrusted, packed: Uint8Array): NetSource {

@@ -30,12 +30,16 @@ const fourth: Reader = third;
 /** Of links with a net packed: share.ts reads it, as it stands behind what is read here. */
 const fifth: Reader = fourth;
 
+/** Of links with drags made again, which share.ts reads: pages of before would put the handles where they were dragged to. */
+const sixth: Reader = fifth;
+
 const READERS = new Map<number, Reader>([
   [1, first],
   [2, second],
   [3, third],
   [4, fourth],
   [5, fifth],
+  [6, sixth],
 ]);
 
 /** Of links and files, and of what the browser keeps without a file. */
@@ -46,6 +50,8 @@ export const VERSION_WITH_ARRAYS = 3;
 export const VERSION_WITH_SLIDES = 4;
 /** Of links with a net packed. */
 export const VERSION_WITH_PACKED_NETS = 5;
+/** Of links with drags made again. */
+export const VERSION_WITH_REPLAYS = 6;
 
 export function doSlide(handles: readonly HandleData[]): boolean {
   return handles.some(({ slides }) => slides !== undefined);

@@ -3,6 +3,7 @@ import type { Chebnet, Editor, Mesh, Surface } from '../../../wasm/chebnet';
 import type { SolverSettings } from '../document/document';
 import { partDone } from '../drape/phases';
 import { codeOf, messageOf } from '../failure';
+import { pointOf } from '../net/point_of';
 import { openNet } from '../worker/opened_net';
 import type { EditScene } from './edits';
 import type { MadeNet, NewNetRequest, NewNetResponse, TriedEdit } from './new_net_protocol';
@@ -69,12 +70,11 @@ function subjectOf(core: Chebnet, { net, handles }: EditScene): Subject {
   const editor = openNet(core, net);
   const { restPositions: positions, faceStart, faceVertices, info } = editor;
   editor.dispose();
-  const restOf = (vertex: number) => [...positions.subarray(3 * vertex, 3 * vertex + 3)] as [number, number, number];
   return {
     rest: { positions, faceStart, faceVertices },
     length: info.meanLength,
     singularVertices: Object.values(info.singularVertices).reduce((sum, each) => sum + each, 0),
-    handles: handles.map(({ vertex, target }) => ({ vertex, target: target ?? restOf(vertex) })),
+    handles: handles.map(({ vertex, target }) => ({ vertex, target: target ?? pointOf(positions, vertex) })),
   };
 }
 

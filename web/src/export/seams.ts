@@ -3,6 +3,7 @@ import type { VertexLists } from '../../../wasm/chebnet';
 import type { Vec3 } from '../document/document';
 import { listsOf } from '../handles/lines';
 import { squareBetween } from '../handles/surface_points';
+import { pointOf } from '../net/point_of';
 
 /** The vertices along both sides, from the same end. */
 export type Seam = readonly [readonly number[], readonly number[]];
@@ -62,7 +63,7 @@ function partnersOf(sides: readonly Side[], positions: Float64Array, near: numbe
   return partners;
 
   function isAlong(a: Side, b: Side): boolean {
-    const apart = (v: number, w: number) => squareBetween(pointOf(v, positions), pointOf(w, positions));
+    const apart = (v: number, w: number) => squareBetween(pointOf(positions, v), pointOf(positions, w));
     return Math.min(apart(a.from, b.from), apart(a.from, b.to)) < near ** 2;
   }
 }
@@ -88,19 +89,15 @@ function seamOf(run: readonly Side[], partners: Map<Side, Side>, positions: Floa
   const one = [run[0]!.from, ...run.map(({ to }) => to)];
   const others = run.map((side) => partners.get(side)!);
   const nearer = (v: number, { from, to }: Side): number =>
-    squareBetween(pointOf(from, positions), pointOf(v, positions)) <
-    squareBetween(pointOf(to, positions), pointOf(v, positions))
+    squareBetween(pointOf(positions, from), pointOf(positions, v)) <
+    squareBetween(pointOf(positions, to), pointOf(positions, v))
       ? from
       : to;
   return [one, [nearer(one[0]!, others[0]!), ...others.map((other, i) => nearer(one[i + 1]!, other))]];
 }
 
-function pointOf(vertex: number, positions: Float64Array): Vec3 {
-  return [positions[3 * vertex]!, positions[3 * vertex + 1]!, positions[3 * vertex + 2]!];
-}
-
 function middleOf({ from, to }: Side, positions: Float64Array): Vec3 {
-  const [a, b] = [pointOf(from, positions), pointOf(to, positions)];
+  const [a, b] = [pointOf(positions, from), pointOf(positions, to)];
   return [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2];
 }
 

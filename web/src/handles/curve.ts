@@ -1,5 +1,6 @@
 /** Curves in space to which drags keep: borders, or through handles. Loaded with the controls that choose one. */
 import type { HandleData, Vec3 } from '../document/document';
+import { pointOf } from '../net/point_of';
 import type { OpenedNet } from '../worker/protocol';
 import { nearestOnSide, squareBetween, type Triangles } from './surface_points';
 
@@ -83,9 +84,4 @@ export function throughHandles(handles: readonly Pick<HandleData, 'target'>[]): 
 function curveOf(lines: readonly Polyline[]): Curve | null {
   const whole = lines.filter((line) => line.length > 1);
   return whole.length > 0 ? new Curve(whole) : null;
-}
-
-function pointOf(positions: Float64Array, vertex: number): Vec3 {
-  const [x = 0, y = 0, z = 0] = positions.subarray(3 * vertex, 3 * vertex + 3);
-  return [x, y, z];
 }

@@ -7,6 +7,7 @@ import type { ChangeName, Term } from '../document/naming';
 import type { Snapshot, UndoHistory } from '../document/undo';
 import { words } from '../language/language';
 import { lazy } from '../lazy';
+import { pointOf } from '../net/point_of';
 import type { Client } from '../worker/client';
 import type { Opening } from '../worker/opening';
 import type { DrawnSurface, OpenedNet } from '../worker/protocol';
@@ -466,7 +467,7 @@ export class HandleEditor implements HandleCommands {
   /** Where a vertex stands. */
   positionOf(vertex: number): Vec3 {
     const positions = this.#host.opening()?.frame.positions;
-    return [positions?.[3 * vertex] ?? 0, positions?.[3 * vertex + 1] ?? 0, positions?.[3 * vertex + 2] ?? 0];
+    return positions ? pointOf(positions, vertex) : [0, 0, 0];
   }
 
   // ------------------------------------------------------------------------------------------------------------ the net

@@ -1,6 +1,7 @@
 /** Editing on both sides of a plane at once: which vertex is the mirror image of which, and where it then goes. */
 import type { Handle } from '../../../wasm/chebnet';
 import type { HandleData, Symmetry, Vec3 } from '../document/document';
+import { pointOf } from '../net/point_of';
 import { PointGrid } from './point_grid';
 import { AXES } from './transform';
 
@@ -97,7 +98,6 @@ export class Mirror {
   }
 
   #rest(vertex: number): Vec3 {
-    const [x = 0, y = 0, z = 0] = this.#restPositions.subarray(3 * vertex, 3 * vertex + 3);
-    return [x, y, z];
+    return pointOf(this.#restPositions, vertex);
   }
 }

@@ -1,5 +1,6 @@
 /** Ways along the edges of the net. */
 import type { Vec3 } from '../document/document';
+import { pointOf } from '../net/point_of';
 import type { OpenedNet } from '../worker/protocol';
 import type { Selection } from './selection';
 
@@ -90,10 +91,6 @@ function wayBetween(positions: Float64Array, neighbours: number[][], from: numbe
   const way: number[] = [];
   for (let vertex = to; vertex !== from; vertex = reached.get(vertex)!.before) way.unshift(vertex);
   return way;
-}
-
-function pointOf(positions: Float64Array, vertex: number): Vec3 {
-  return [positions[3 * vertex]!, positions[3 * vertex + 1]!, positions[3 * vertex + 2]!];
 }
 
 /** From the segment between a and b. */

@@ -7,7 +7,7 @@ import { QR_CAPACITY } from '../export/qr_code';
 import { copyText } from '../files/clipboard';
 import { panelWords } from '../language/panels';
 import type { WorkerLike } from '../worker/client';
-import { solvedHash } from './solved_link';
+import { solvedLink, type SolvedLink } from './solved_link';
 
 /** A link whose positions make it so much longer is worth the trial whether it does without. */
 const WORTH_A_TRIAL = 1_000;
@@ -17,18 +17,20 @@ export function share(app: App, root: HTMLElement, spawn: () => WorkerLike): voi
   const exact = exactLink(app);
   if (exact === null) return;
   new ShareDialog(root, {
-    links: async (closed) =>
-      exact.link.length < WORTH_A_TRIAL ? [exact] : linksWith(exact, await solvedHash(app, spawn, closed)),
+    links: async (unwanted) =>
+      exact.link.length < WORTH_A_TRIAL ? [exact] : linksWith(exact, await solvedLink(app, spawn, unwanted)),
     copyLink,
   });
 }
 
-/** @param hash without positions; null: it needs them. */
-function linksWith(exact: ShareLink, hash: string | null): ShareLink[] {
-  if (hash === null) return [exact];
+/** @param solved without positions; null: it needs them. */
+function linksWith(exact: ShareLink, solved: SolvedLink | null): ShareLink[] {
+  if (solved === null) return [exact];
+  const { hash, aside, isSame } = solved;
   const link = linkOf(hash);
-  const code = { link, positions: true };
-  return [{ kind: 'solved', link, embedded: linkOf(hash, '?embed'), advice: '', code }, exact];
+  const code = { link, positions: isSame };
+  const short = { link, embedded: linkOf(hash, '?embed'), advice: '', code };
+  return isSame ? [{ kind: 'solved', ...short }, exact] : [exact, { kind: 'near', aside, ...short }];
 }
 
 /** With all positions, if they are not too many; null: even without them it is too long, which is said. */

@@ -6,6 +6,7 @@ import type { Along } from '../handles/along';
 import { movedBetween } from '../handles/moved';
 import type { Limit } from '../handles/reach';
 import { lazy } from '../lazy';
+import { pointOf } from '../net/point_of';
 import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
 import { Annotations } from './annotations';
 import { directionFor, fitCamera, isBehind, type Margins, type Side, type Stand, standBack } from './camera_fit';
@@ -472,9 +473,8 @@ class SceneView implements View {
   #beginsBehind({ suggestedHandles, restPositions }: OpenedNet): boolean {
     const first = suggestedHandles.at(-1);
     if (first === undefined) return false;
-    const [x = 0, y = 0, z = 0] = restPositions.subarray(3 * first, 3 * first + 3);
     const place = new Vector3();
-    this.#netData!.space.toScene(place, [x, y, z]);
+    this.#netData!.space.toScene(place, pointOf(restPositions, first));
     return isBehind(place);
   }
 

@@ -13,6 +13,7 @@ import type { WholeCore } from './whole_core';
 import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE, touchesNet } from './protocol';
 import type { DrawnSurface, FrameData, OpenedNet, Request, Response } from './protocol';
 import { Failure, codeOf, messageOf } from '../failure';
+import { pointOf } from '../net/point_of';
 
 /** Milliseconds of solving between two checks for messages; at least one iteration. */
 const SLICE = 12;
@@ -209,6 +210,7 @@ export class Server {
       checkNumbering(editor, scene);
       goTo(scene, editor);
       this.#setGuide(editor, scene.guide);
+      if (scene.replay) this.#neededWhole.replay(editor, scene.replay);
     } catch (error) {
       editor.dispose();
       throw error;
@@ -271,10 +273,9 @@ export class Server {
 
   #beginSearch({ id, what }: Extract<Request, { type: 'search' }>): void {
     const editor = this.#net();
-    if (this.#whole === null) throw new Failure(LEFT_OUT, 'searches come with the whole core');
     const asked = this.#asked.filter(({ vertex }) => editor.handles().some((handle) => handle.vertex === vertex));
     const goesOn = this.#solving;
-    this.#search = new this.#whole.Search(what, editor, asked, (task) => this.#host.soon(task), {
+    this.#search = new this.#neededWhole.Search(what, editor, asked, (task) => this.#host.soon(task), {
       passes: (progress) => this.#post({ id, type: 'searching', progress }),
       ended: (found) => {
         if (what === 'lengths' && found !== null) this.#asked = [];
@@ -352,6 +353,12 @@ export class Server {
   }
 
   // ---------------------------------------------------------------------------------------------------- the whole core
+
+  /** A request for what comes with it waits until it is there. */
+  get #neededWhole(): WholeCore {
+    if (this.#whole === null) throw new Failure(LEFT_OUT, 'the whole core');
+    return this.#whole;
+  }
 
   /** All requests wait meanwhile. */
   async #goOnInWholeCore(goOn: () => void, refuse: (error: unknown) => void): Promise<void> {
@@ -586,15 +593,10 @@ function stateOf(scene: Omit<OpenScene, 'net'>, editor: Editor): EditState {
     scene.handles === 'suggested'
       ? Array.from(editor.suggestedHandles, (vertex) => ({ vertex, target: null }))
       : scene.handles;
-  // A vertex that is out of range gets a target, too: the core then refuses it with its message.
-  const at = (vertex: number): [number, number, number] => [
-    rest[3 * vertex] ?? 0,
-    rest[3 * vertex + 1] ?? 0,
-    rest[3 * vertex + 2] ?? 0,
-  ];
   const handles = seeds.map(({ vertex, target, weight, slides }: Omit<HandleSeed, 'anchor'>) => ({
     vertex,
-    target: target ?? at(vertex),
+    // A vertex that is out of range gets a target, too: the core then refuses it with its message.
+    target: target ?? pointOf(rest, vertex),
     weight,
     slides,
   }));

@@ -1,6 +1,7 @@
 /** Engines compile WebAssembly function by function, and better once a function has run for a while: the first solve of
  *  a page takes many times as long as the next. */
 import type { Editors, Handle } from '../../../wasm/chebnet';
+import { pointOf } from '../net/point_of';
 
 /** A slice; between two of them requests are answered. */
 const MILLISECONDS = 12;
@@ -14,10 +15,10 @@ export async function warmUp(core: Editors, pause: () => Promise<void>): Promise
   if (shape === undefined) return;
   const editor = core.openRecipe(`${shape.name}:vertices=300`);
   const { restPositions, suggestedHandles } = editor;
-  const handles = Array.from(suggestedHandles, (vertex): Handle => {
-    const [x = 0, y = 0, z = 0] = restPositions.subarray(3 * vertex, 3 * vertex + 3);
-    return { vertex, target: [x, y, z] };
-  });
+  const handles = Array.from(
+    suggestedHandles,
+    (vertex): Handle => ({ vertex, target: pointOf(restPositions, vertex) }),
+  );
   editor.setHandles(handles);
   const { vertex, target } = handles.at(-1)!;
   for (let edit = 1; edit <= EDITS; edit++) {

@@ -553,11 +553,17 @@ export const panels = {
     long: (size: string) => `The link has ${size} characters; some chat programs cut so long a link.`,
   },
   share: {
-    making: 'Making the link…',
+    making: 'Solving for the shape again: a link that can do without it is short…',
+    dontWait: 'Do not wait',
     choice: 'Link',
     solved: {
       label: 'Short',
       about: (size: string) => `${size} characters. The shape is solved again as it opens, and comes out the same.`,
+    },
+    near: {
+      label: 'Short, another shape',
+      about: (size: string, aside: string) =>
+        `${size} characters. The shape is solved again as it opens, and comes to rest elsewhere: up to ${aside} edge lengths away.`,
     },
     exact: {
       label: 'These positions',

@@ -723,11 +723,16 @@ export const panels: Widened<typeof en> = {
     long: (size) => `链接有 ${size} 个字符，有些聊天程序会截断这么长的链接。`,
   },
   share: {
-    making: '正在生成链接…',
+    making: '正在重新求解形状：若结果相同，链接就不必包含它…',
+    dontWait: '不再等待',
     choice: '链接',
     solved: {
       label: '短链接',
       about: (size) => `${size} 个字符。打开时重新求解形状，结果相同。`,
+    },
+    near: {
+      label: '短链接，形状不同',
+      about: (size, aside) => `${size} 个字符。打开时重新求解形状，但静止在别处：最远相差 ${aside} 个边长。`,
     },
     exact: {
       label: '保留全部位置',
