@@ -191,7 +191,7 @@ test('a dialog has the focus where one goes on, from its beginning, and gives it
   await script.settled();
   const focused = () => page.locator(':focus').innerText();
   for (const [label, first] of [
-    ['Share', /^(Close|Copy link)$/],
+    ['Share', /^(Do not wait|Copy link)$/],
     ['Equalise…', /^Equalise$/],
   ] as const) {
     await page.getByRole('button', { name: label, exact: true }).press('Enter');

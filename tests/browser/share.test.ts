@@ -54,20 +54,41 @@ test('a copied link is short, and shows the same scene; at choice it has all pos
   }
 });
 
+/** Opens a shape of the gallery, and drags its last handle over the screen. */
+async function dragShape({ page, script }: Visit, shape: string, [dx, dy]: [number, number]): Promise<void> {
+  await page.locator(`.gallery [data-shape=${shape}]`).click();
+  await expect.poll(() => page.locator(`.gallery [data-shape=${shape}]`).getAttribute('aria-pressed')).toBe('true');
+  await script.settled();
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await dragBy(script, vertex, [dx, dy]);
+  await script.settled();
+}
+
+test('nobody has to wait for the trial whether a link does without positions', async () => {
+  const sender = await share();
+  const { page } = sender;
+  await dragShape(sender, 'shirt', [60, -40]);
+  await page.getByRole('button', { name: 'Share', exact: true }).click();
+  const dialog = page.getByRole('dialog', { name: 'Share' });
+  await dialog.getByText('Solving for the shape again').waitFor();
+  await page.screenshot({ path: join(OUTPUT, 'share-waits.png') });
+  await dialog.getByRole('button', { name: 'Do not wait' }).click();
+  await dialog.getByText('The link is copied.').waitFor();
+  expect(await dialog.getByRole('button', { name: 'Do not wait' }).count()).toBe(0);
+  expect((await page.evaluate(() => navigator.clipboard.readText())).length).toBeGreaterThan(1000);
+});
+
 test.each([
   ['sheet', 30, 20],
   ['saddle', -50, -40],
+  // Pulled taut beyond its reach: it has several shapes at rest, and its drag is made again.
+  ['scroll', 180, 0],
 ] as const)(
-  'a link of a flat %s after one drag is short: it comes to rest again, if not to the last digit',
+  'a link of a %s after one drag is short: it comes to rest again, if not to the last digit',
   async (shape, dx, dy) => {
     const sender = await share();
-    const { page, script } = sender;
-    await page.locator(`.gallery [data-shape=${shape}]`).click();
-    await expect.poll(() => page.locator(`.gallery [data-shape=${shape}]`).getAttribute('aria-pressed')).toBe('true');
-    await script.settled();
-    const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
-    await dragBy(script, vertex, [dx, dy]);
-    await script.settled();
+    const { script } = sender;
+    await dragShape(sender, shape, [dx, dy]);
     const sent = await script.positions();
     const link = await copied(sender);
     expect(link.length).toBeLessThan(500);
