@@ -12,6 +12,10 @@ import { solvedLink, type SolvedLink } from './solved_link';
 /** A link whose positions make it so much longer is worth the trial whether it does without. */
 const WORTH_A_TRIAL = 1_000;
 
+/** Edge lengths. Who gets a link sees no more of the difference than a few pixels, and chat programs cut long links: it is the
+ *  one that is copied. */
+const NEAR = 0.1;
+
 /** @param root parent of the dialog. @param spawn starts a solver, to try whether a link does without positions. */
 export function share(app: App, root: HTMLElement, spawn: () => WorkerLike): void {
   const exact = exactLink(app);
@@ -30,7 +34,9 @@ function linksWith(exact: ShareLink, solved: SolvedLink | null): ShareLink[] {
   const link = linkOf(hash);
   const code = { link, positions: isSame };
   const short = { link, embedded: linkOf(hash, '?embed'), advice: '', code };
-  return isSame ? [{ kind: 'solved', ...short }, exact] : [exact, { kind: 'near', aside, ...short }];
+  if (isSame) return [{ kind: 'solved', ...short }, exact];
+  const near: ShareLink = { kind: 'near', aside, ...short };
+  return aside <= NEAR ? [near, exact] : [exact, near];
 }
 
 /** With all positions, if they are not too many; null: even without them it is too long, which is said. */

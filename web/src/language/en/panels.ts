@@ -561,9 +561,9 @@ export const panels = {
       about: (size: string) => `${size} characters. The shape is solved again as it opens, and comes out the same.`,
     },
     near: {
-      label: 'Short, another shape',
+      label: 'Short, not quite the same',
       about: (size: string, aside: string) =>
-        `${size} characters. The shape is solved again as it opens, and comes to rest elsewhere: up to ${aside} edge lengths away.`,
+        `${size} characters. The shape is solved again as it opens, and comes to rest up to ${aside} edge lengths aside.`,
     },
     exact: {
       label: 'These positions',

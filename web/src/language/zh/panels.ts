@@ -731,8 +731,8 @@ export const panels: Widened<typeof en> = {
       about: (size) => `${size} 个字符。打开时重新求解形状，结果相同。`,
     },
     near: {
-      label: '短链接，形状不同',
-      about: (size, aside) => `${size} 个字符。打开时重新求解形状，但静止在别处：最远相差 ${aside} 个边长。`,
+      label: '短链接，形状略有不同',
+      about: (size, aside) => `${size} 个字符。打开时重新求解形状，静止时最远相差 ${aside} 个边长。`,
     },
     exact: {
       label: '保留全部位置',
