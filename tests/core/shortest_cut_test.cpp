@@ -91,7 +91,8 @@ TEST_CASE("The two borders of a tube are found whatever its triangles are") {
         const CutLine cut = shortest_cut_between_borders(tube);
         const double slanted = 2 * std::sin(std::numbers::pi * slant / around), up = height / (along - 1);
         CHECK(length_of(tube, cut) >= height * (1 - 1e-9));
-        // Each end is within a thousandth of a side, where points are snapped, and half a thousandth, where sections end.
+        // Each end is within a thousandth of a side, where points are snapped, and half a thousandth, where sections
+        // end.
         const double aside = 2 * 1.5e-3 * 2 * std::sin(std::numbers::pi / around);
         CHECK(length_of(tube, cut) <= std::hypot((along - 1) * std::hypot(slanted, up), aside) * (1 + 1e-9));
         const Surface open = cut_open(tube, {{cut}});
