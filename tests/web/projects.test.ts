@@ -324,7 +324,7 @@ describe('a hostile project is refused, and it is said where', () => {
     ['[]', /no chebnet project/],
     ['{"v":1}', /no chebnet project/],
     ['{"chebnet":0}', /another version/],
-    ['{"chebnet":6}', /another version/],
+    ['{"chebnet":7}', /another version/],
     ['{"chebnet":"1"}', /another version/],
     ['{"chebnet":[1]}', /another version/],
     ['{"chebnet":1}', /^nets must be a list/],

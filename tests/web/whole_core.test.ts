@@ -3,7 +3,7 @@ import { beforeEach, expect, test } from 'vitest';
 import type { Editors } from '../../wasm/chebnet';
 import { freshScene } from '../../web/src/document/defaults';
 import type { HandleSeed, Vec3 } from '../../web/src/document/document';
-import { pointOf } from '../../web/src/net/point_of';
+import { pointOf } from '../../web/src/document/point_of';
 import type { Request, Response } from '../../web/src/worker/protocol';
 import type { WholeCore } from '../../web/src/worker/whole_core';
 import { Server } from '../../web/src/worker/server';

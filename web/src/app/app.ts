@@ -23,7 +23,7 @@ import { DragGuide } from '../handles/drag_guide';
 import { HandleEditor } from '../handles/handle_editor';
 import { words } from '../language/language';
 import { lazy } from '../lazy';
-import { pointOf } from '../net/point_of';
+import { pointOf } from '../document/point_of';
 import type { Action, PanelEvents } from '../panels';
 import type { Side } from '../view/camera_fit';
 import type { Film, ViewEvents } from '../view/view';

@@ -3,7 +3,7 @@ import type { Chebnet, Editor, Mesh, Surface } from '../../../wasm/chebnet';
 import type { SolverSettings } from '../document/document';
 import { partDone } from '../drape/phases';
 import { codeOf, messageOf } from '../failure';
-import { pointOf } from '../net/point_of';
+import { pointOf } from '../document/point_of';
 import { openNet } from '../worker/opened_net';
 import type { EditScene } from './edits';
 import type { MadeNet, NewNetRequest, NewNetResponse, TriedEdit } from './new_net_protocol';

@@ -3,7 +3,7 @@ import type { VertexLists } from '../../../wasm/chebnet';
 import type { Vec3 } from '../document/document';
 import { listsOf } from '../handles/lines';
 import { squareBetween } from '../handles/surface_points';
-import { pointOf } from '../net/point_of';
+import { pointOf } from '../document/point_of';
 
 /** The vertices along both sides, from the same end. */
 export type Seam = readonly [readonly number[], readonly number[]];

@@ -1,6 +1,6 @@
 /** Curves in space to which drags keep: borders, or through handles. Loaded with the controls that choose one. */
 import type { HandleData, Vec3 } from '../document/document';
-import { pointOf } from '../net/point_of';
+import { pointOf } from '../document/point_of';
 import type { OpenedNet } from '../worker/protocol';
 import { nearestOnSide, squareBetween, type Triangles } from './surface_points';
 

@@ -7,7 +7,7 @@ import type { ChangeName, Term } from '../document/naming';
 import type { Snapshot, UndoHistory } from '../document/undo';
 import { words } from '../language/language';
 import { lazy } from '../lazy';
-import { pointOf } from '../net/point_of';
+import { pointOf } from '../document/point_of';
 import type { Client } from '../worker/client';
 import type { Opening } from '../worker/opening';
 import type { DrawnSurface, OpenedNet } from '../worker/protocol';

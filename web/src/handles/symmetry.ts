@@ -1,7 +1,7 @@
 /** Editing on both sides of a plane at once: which vertex is the mirror image of which, and where it then goes. */
 import type { Handle } from '../../../wasm/chebnet';
 import type { HandleData, Symmetry, Vec3 } from '../document/document';
-import { pointOf } from '../net/point_of';
+import { pointOf } from '../document/point_of';
 import { PointGrid } from './point_grid';
 import { AXES } from './transform';
 

@@ -1,6 +1,6 @@
 /** Ways along the edges of the net. */
 import type { Vec3 } from '../document/document';
-import { pointOf } from '../net/point_of';
+import { pointOf } from '../document/point_of';
 import type { OpenedNet } from '../worker/protocol';
 import type { Selection } from './selection';
 

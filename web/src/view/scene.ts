@@ -6,7 +6,7 @@ import type { Along } from '../handles/along';
 import { movedBetween } from '../handles/moved';
 import type { Limit } from '../handles/reach';
 import { lazy } from '../lazy';
-import { pointOf } from '../net/point_of';
+import { pointOf } from '../document/point_of';
 import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
 import { Annotations } from './annotations';
 import { directionFor, fitCamera, isBehind, type Margins, type Side, type Stand, standBack } from './camera_fit';

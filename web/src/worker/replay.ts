@@ -1,7 +1,7 @@
 /** Drags of a link, made again: by them a net that has several shapes at rest comes to the same one. */
 import type { Editor, Handle } from '../../../wasm/chebnet';
 import type { Replay, Vec3 } from '../document/document';
-import { pointOf } from '../net/point_of';
+import { pointOf } from '../document/point_of';
 
 /** Drags the handles of a net at rest from where they rest to their targets, all at once, and lets go. By numbers of iterations,
  *  not by time: on any machine the net goes the same way. */

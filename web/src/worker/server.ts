@@ -13,7 +13,7 @@ import type { WholeCore } from './whole_core';
 import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE, touchesNet } from './protocol';
 import type { DrawnSurface, FrameData, OpenedNet, Request, Response } from './protocol';
 import { Failure, codeOf, messageOf } from '../failure';
-import { pointOf } from '../net/point_of';
+import { pointOf } from '../document/point_of';
 
 /** Milliseconds of solving between two checks for messages; at least one iteration. */
 const SLICE = 12;

@@ -1,7 +1,7 @@
 /** Engines compile WebAssembly function by function, and better once a function has run for a while: the first solve of
  *  a page takes many times as long as the next. */
 import type { Editors, Handle } from '../../../wasm/chebnet';
-import { pointOf } from '../net/point_of';
+import { pointOf } from '../document/point_of';
 
 /** A slice; between two of them requests are answered. */
 const MILLISECONDS = 12;

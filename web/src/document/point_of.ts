@@ -1,4 +1,4 @@
-import type { Vec3 } from '../document/document';
+import type { Vec3 } from './document';
 
 /** The place of a vertex, of positions with 3 numbers each; the origin if there is no such vertex. */
 export function pointOf(positions: Float64Array, vertex: number): Vec3 {
