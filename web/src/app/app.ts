@@ -17,13 +17,13 @@ import type {
 } from '../document/document';
 import { asMade, weighed } from '../document/defaults';
 import type { ChangeName } from '../document/naming';
+import { pointOf } from '../document/point_of';
 import type { Project } from '../document/project';
 import type { HistoryView, Snapshot } from '../document/undo';
 import { DragGuide } from '../handles/drag_guide';
 import { HandleEditor } from '../handles/handle_editor';
 import { words } from '../language/language';
 import { lazy } from '../lazy';
-import { pointOf } from '../document/point_of';
 import type { Action, PanelEvents } from '../panels';
 import type { Side } from '../view/camera_fit';
 import type { Film, ViewEvents } from '../view/view';

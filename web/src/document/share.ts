@@ -9,10 +9,10 @@ import { readingWords } from '../language/reading';
 import { fromBase64, toBase64 } from './base64';
 import { netAsText, readFileTraits, writeHandle, writeState, writeView } from './codec';
 import type { ChebnetDocument, DocumentNet, NetSource, Replay, Scene } from './document';
+import { given } from './given';
 import { packMesh, unpackMesh } from './packed_mesh';
 import { packPositions } from './packing';
 import type { PackingNet } from './packing';
-import { given } from './given';
 import { Untrusted } from './untrusted';
 import * as versions from './versions';
 import type { Reader } from './versions';
@@ -148,14 +148,15 @@ function isAtRest({ positions }: ChebnetDocument, { restPositions }: PackingNet)
   return positions === null || positions.every((x, i) => x === restPositions[i]);
 }
 
-type Shown = ChebnetDocument & Pick<Scene, 'replay'>;
+/** What a link says of a document. */
+type Carried = ChebnetDocument & Pick<Scene, 'replay'>;
 
-function withoutPositions(document: Shown, net: PackingNet, carried: CarriedNet): string {
+function withoutPositions(document: Carried, net: PackingNet, carried: CarriedNet): string {
   return toHash(document, net, carried, false, new Uint8Array());
 }
 
 function toHash(
-  { view, ...state }: Shown,
+  { view, ...state }: Carried,
   { restPositions }: PackingNet,
   { head, mesh }: CarriedNet,
   settled: boolean,
@@ -172,7 +173,7 @@ function toHash(
   return `#v${versionOf(state, mesh)}=${toUrl(toBase64(deflateSync(content, { level: 9 })))}`;
 }
 
-function versionOf({ replay, handles }: Pick<Shown, 'replay' | 'handles'>, mesh: Uint8Array): number {
+function versionOf({ replay, handles }: Pick<Carried, 'replay' | 'handles'>, mesh: Uint8Array): number {
   if (replay !== undefined) return versions.VERSION_WITH_REPLAYS;
   if (mesh.length > 0) return versions.VERSION_WITH_PACKED_NETS;
   return versions.doSlide(handles) ? versions.VERSION_WITH_SLIDES : versions.VERSION;

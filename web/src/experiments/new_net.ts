@@ -1,9 +1,9 @@
 /** Figure 3, tried in a worker: each net is edited, and beside that its surface is deformed and gets a new net. */
 import type { Chebnet, Editor, Mesh, Surface } from '../../../wasm/chebnet';
 import type { SolverSettings } from '../document/document';
+import { pointOf } from '../document/point_of';
 import { partDone } from '../drape/phases';
 import { codeOf, messageOf } from '../failure';
-import { pointOf } from '../document/point_of';
 import { openNet } from '../worker/opened_net';
 import type { EditScene } from './edits';
 import type { MadeNet, NewNetRequest, NewNetResponse, TriedEdit } from './new_net_protocol';

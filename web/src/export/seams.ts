@@ -1,9 +1,9 @@
 /** Where a net was cut: sides of its border that lie at one place while the net is at rest. */
 import type { VertexLists } from '../../../wasm/chebnet';
 import type { Vec3 } from '../document/document';
+import { pointOf } from '../document/point_of';
 import { listsOf } from '../handles/lines';
 import { squareBetween } from '../handles/surface_points';
-import { pointOf } from '../document/point_of';
 
 /** The vertices along both sides, from the same end. */
 export type Seam = readonly [readonly number[], readonly number[]];

@@ -1,12 +1,12 @@
 /** The 3D view: puts net, handles, ground and camera together, and draws only when something has changed. */
 import { type Matrix4, Vector3 } from 'three';
 import type { CameraPlace, HandleData, Symmetry, ViewPlace } from '../document/document';
+import { pointOf } from '../document/point_of';
 import { words } from '../language/language';
 import type { Along } from '../handles/along';
 import { movedBetween } from '../handles/moved';
 import type { Limit } from '../handles/reach';
 import { lazy } from '../lazy';
-import { pointOf } from '../document/point_of';
 import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
 import { Annotations } from './annotations';
 import { directionFor, fitCamera, isBehind, type Margins, type Side, type Stand, standBack } from './camera_fit';

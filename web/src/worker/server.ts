@@ -4,6 +4,7 @@ import { numberingOf } from '../document/numbering';
 import { unpackPositions } from '../document/packing';
 import { targetsOf } from '../document/document';
 import type { GuideSource, HandleSeed } from '../document/document';
+import { pointOf } from '../document/point_of';
 import { arrayBuffers } from './array_buffers';
 import { handleBy } from './handlers';
 import type { Handlers } from './handlers';
@@ -13,7 +14,6 @@ import type { WholeCore } from './whole_core';
 import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE, touchesNet } from './protocol';
 import type { DrawnSurface, FrameData, OpenedNet, Request, Response } from './protocol';
 import { Failure, codeOf, messageOf } from '../failure';
-import { pointOf } from '../document/point_of';
 
 /** Milliseconds of solving between two checks for messages; at least one iteration. */
 const SLICE = 12;
